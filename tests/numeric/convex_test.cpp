@@ -1,0 +1,175 @@
+// T3, T4: every shape under random affine transforms (turns, unequal scales, shear, mirrors) against quad precision; hits put
+// back onto the surface; rays aimed at edges, rims and the apex.
+#include <gtest/gtest.h>
+
+#include "tests/support/hit_check.h"
+
+namespace glint {
+namespace {
+
+using namespace test;
+using ShapesFull = FullRun;
+
+/// A point on an edge, a rim, the apex, or anywhere near the shape.
+DVec3 target(Random& random, const CanonicalShape& shape) {
+    const double phi = random.uniform(0, 2 * kPi);
+    const int way = static_cast<int>(random.next() % 4);
+    if (way > 1) return random.inCube(1.2);
+    if (std::holds_alternative<CanonicalBox>(shape) || std::holds_alternative<CanonicalQuad>(shape)) {
+        DVec3 p = random.inCube(1);
+        p.x = std::copysign(1.0, p.x);
+        p.y = std::holds_alternative<CanonicalQuad>(shape) ? 0 : way ? p.y : std::copysign(1.0, p.y);
+        return p;
+    }
+    const double y = std::holds_alternative<CanonicalDisk>(shape) ? 0 : way ? -1 : 1;
+    const bool apex = std::holds_alternative<CanonicalCone>(shape) && y > 0;
+    return apex ? DVec3(0, 1, 0) : DVec3(std::cos(phi), y, std::sin(phi));
+}
+
+Tally throwAt(const CanonicalShape& shape, std::uint64_t count, double distance) {
+    return tallyInParallel(count, 2, [=](Random& random, std::uint64_t n) {
+        Tally tally;
+        ShapeInstance instance;
+        ShapeLists lists;
+        for (std::uint64_t i = 0; i < n; ++i) {
+            if (i % 64 == 0) {
+                instance = makeInstance(shape, randomLinear(random) * random.logUniform(1e-3, 1e3), random.inCube(1));
+                lists = ShapeLists({instance});
+            }
+            DVec3 from = distance * random.direction();
+            // Along an axis, in a face's plane, down the axis itself: exact zeros in the direction.
+            DVec3 to = target(random, shape);
+            if (random.next() % 8 == 0) to = from, to[static_cast<int>(random.next() % 3)] *= -1;
+            checkHit(instance, lists, rayTo(instance.center + instance.worldFromLocal * from, instance.center + instance.worldFromLocal * to), tally);
+        }
+        return tally;
+    });
+}
+
+void expectAgreement(std::uint64_t count) {
+    for (const CanonicalShape& shape : oneOfEach()) {
+        if (std::holds_alternative<CanonicalTorus>(shape)) continue;  // torus_test.cpp
+        for (const double distance : {2.0, 30.0, 1e4}) {
+            const Tally tally = throwAt(shape, count, distance);
+            tally.print((std::string(nameOf(shape)) + " at " + std::to_string(distance) + " sizes").c_str());
+            EXPECT_EQ(tally.failures, 0u) << tally.first;
+        }
+    }
+}
+
+TEST(Shapes, HitsUnderAffineTransformsAgreeWithQuadPrecision) { expectAgreement(8000); }
+TEST_F(ShapesFull, HitsUnderAffineTransformsAgreeWithQuadPrecision) { expectAgreement(100'000'000 / 21); }
+
+/// Puts random points near a surface back onto it, on the face that is nearest.
+Tally projectOnto(const CanonicalShape& shape, std::uint64_t count) {
+    return tallyInParallel(count, 3, [=](Random& random, std::uint64_t n) {
+        Tally tally;
+        for (std::uint64_t i = 0; i < n; ++i) {
+            const DVec3 from = random.logUniform(2, 1e6) * random.direction(), direction = glm::normalize(random.inCube(1) - from);
+            std::visit(
+                [&](const auto& s) {
+                    const Crossing hit = s.first(from, direction, Start::Elsewhere);
+                    if (!hit.found()) return;
+                    ++tally.checks;
+                    const DVec3 p = s.project(from + hit.t * direction, hit.face);
+                    const double off = residual(shape, QuadVec(p), hit.face);
+                    tally.error(off);
+                    if (!(off <= 4e-16)) tally.fail(std::string(nameOf(shape)) + " off by " + std::to_string(off));
+                    // Outwards: the ray came from outside (of open shapes: from either side).
+                    if (s.closed && !s.inside(from) && !(glm::dot(s.normal(p, hit.face), direction) <= 1e-7 * glm::length(s.normal(p, hit.face))))
+                        tally.fail(std::string(nameOf(shape)) + " normal points inwards");
+                },
+                shape);
+        }
+        return tally;
+    });
+}
+
+void expectResiduals(std::uint64_t count) {
+    for (const CanonicalShape& shape : oneOfEach()) {
+        const Tally tally = projectOnto(shape, count);
+        tally.print(("residual of " + std::string(nameOf(shape))).c_str());
+        EXPECT_EQ(tally.failures, 0u) << tally.first;
+    }
+}
+
+TEST(Shapes, HitsArePutBackOntoTheSurface) { expectResiduals(20000); }
+TEST_F(ShapesFull, HitsArePutBackOntoTheSurface) { expectResiduals(100'000'000 / 8); }
+
+TEST(Shapes, OutwardStaysOutwardUnderMirrors) {
+    Random random(7);
+    for (const CanonicalShape& shape : oneOfEach())
+        for (int i = 0; i < 200; ++i) {
+            const ShapeInstance s = makeInstance(shape, randomLinear(random), DVec3(0.0));
+            const DVec3 above(0.2, 5, 0.1), direction = glm::normalize(DVec3(0.3, 0, 0.1) - above);
+            std::visit(
+                [&](const auto& canonical) {
+                    const Crossing hit = canonical.first(above, direction, Start::Elsewhere);
+                    if (!hit.found()) return;
+                    const DVec3 p = canonical.project(above + hit.t * direction, hit.face);
+                    const DVec3 n = canonical.normal(p, hit.face) * s.localFromWorld;
+                    EXPECT_LT(glm::dot(n, s.worldFromLocal * direction), 0) << nameOf(shape);
+                },
+                shape);
+        }
+}
+
+TEST(Shapes, ApexOfAConeIsMetFromAbove) {
+    const CanonicalCone cone;
+    const Crossing hit = cone.first({0, 3, 0}, {0, -1, 0}, Start::Elsewhere);
+    EXPECT_EQ(hit.t, 2);
+    EXPECT_EQ(cone.project({0, 1, 0}, hit.face), DVec3(0, 1, 0));
+    EXPECT_EQ(cone.normal({0, 1, 0}, hit.face), DVec3(0, 1, 0));
+    // The nappe above the apex is no part of the cone.
+    EXPECT_FALSE(cone.first({-3, 2, 0}, {1, 0, 0}, Start::Elsewhere).found());
+}
+
+TEST(Shapes, ARayInThePlaneOfAFaceMeetsOrMissesWithoutNaN) {
+    const CanonicalBox box;
+    EXPECT_EQ(box.first({-3, 1, 0}, {1, 0, 0}, Start::Elsewhere).t, 2);
+    EXPECT_FALSE(box.first({-3, std::nextafter(1.0, 2.0), 0}, {1, 0, 0}, Start::Elsewhere).found());
+    const CanonicalCylinder cylinder;
+    EXPECT_EQ(cylinder.first({1, -3, 0}, {0, 1, 0}, Start::Elsewhere).t, 2);
+    EXPECT_FALSE(CanonicalPlane{}.first({0, 0, 0}, {1, 0, 0}, Start::Elsewhere).found());
+}
+
+/// A path is known to be inside, but its origin is a rounding outside of a face and it goes along that face: it must leave
+/// there, and not be carried to another face.
+TEST(Shapes, ABoundaryAHairBehindIsMetWhereTheRayIs) {
+    const double above = std::nextafter(1.0, 2.0);
+    const auto stays = [](const auto& shape, const DVec3& o, const DVec3& d) {
+        for (const Start start : {Start::KnownInside, Start::Entering}) {
+            const Crossing hit = shape.first(o, d, start);
+            EXPECT_EQ(hit.t, 0);
+            EXPECT_LE(glm::length(shape.project(o, hit.face) - o), 1e-15);
+        }
+    };
+    stays(CanonicalBox{}, {0.5, above, 0.2}, {1, 0, 0});
+    stays(CanonicalBox{}, {above, 0.3, 0.2}, {0, 1, 0});
+    stays(CanonicalBox{}, {0.1, 0.3, -above}, {0, 1, 0});
+    stays(CanonicalCylinder{}, {0.3, above, 0}, {1, 0, 0});
+    stays(CanonicalCylinder{}, {0.3, -above, 0}, {1, 0, 0});
+    stays(CanonicalCylinder{}, {above, 0.3, 0}, {0, 1, 0});
+    stays(CanonicalCone{}, {0.3, -above, 0}, {1, 0, 0});
+}
+
+/// Two glass blocks share a face. Light reflected within the upper one leaves the shared face upwards; rounding may have put
+/// that point inside the lower block, which it must not hit, least of all at its far end.
+TEST(Shapes, AFaceJustLeftIsNotMetAgainByATrackedPath) {
+    const double below = std::nextafter(1.0, 0.0);
+    const auto passes = [](const auto& shape, const DVec3& o, const DVec3& d) {
+        EXPECT_FALSE(shape.first(o, d, Start::KnownOutside).found());
+        const Crossing back = shape.first(o, -d, Start::KnownOutside);
+        EXPECT_EQ(back.t, 0);
+        EXPECT_LE(glm::length(shape.project(o, back.face) - o), 1e-15);
+    };
+    passes(CanonicalBox{}, {0.5, below, 0.2}, {0.6, 0.8, 0});
+    passes(CanonicalSphere{}, {0, below, 0}, {0.6, 0.8, 0});
+    passes(CanonicalCylinder{}, {0.5, below, 0.2}, {0.6, 0.8, 0});
+    passes(CanonicalCone{}, {0.5, -below, 0}, {0.6, -0.8, 0});
+    passes(CanonicalTorus{0.5}, {1, std::nextafter(0.5, 0.0), 0}, {0.6, 0.8, 0});
+    passes(CanonicalPlane{}, {0.5, -1e-17, 0.2}, {0.6, 0.8, 0});
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,204 @@
+// Hostile scenes through compile() and render(): each gives a clear warning or error, or the right picture; never a sample that
+// is no number, and never a hang.
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "tests/support/scenes.h"
+
+namespace glint {
+namespace {
+
+using test::SceneBuilder;
+
+/// A ball on a floor under a grey sky: every pixel is lit.
+SceneBuilder litScene() {
+    SceneBuilder b;
+    b.object(Plane{}, b.material(Diffuse{}));
+    b.object(Sphere{1}, b.material(Glass{}), {0, 1, 0});
+    b.scene().environment.color = Color{1, 1, 1};
+    b.camera({0, 2, 6}, {0, 0.8, 0}, 40);
+    b.film(16, 16, 4);
+    return b;
+}
+
+/// What compile() says of a scene: warnings' text, or the error's.
+struct Answer {
+    bool drawn = false;
+    std::string text;
+    Rendering rendering;
+};
+Answer answerTo(const Scene& scene) {
+    AssetCache assets;
+    const auto compiled = compile(scene, GLINT_SOURCE_DIR "/scenes", assets);
+    Answer out;
+    if (!compiled.ok()) {
+        out.text = compiled.error().text();
+        return out;
+    }
+    out.drawn = true;
+    for (const CompileWarning& warning : compiled.value().warnings) out.text += warning.error.text() + "\n";
+    const auto start = std::chrono::steady_clock::now();
+    out.rendering = render(compiled.value().scene, {.threads = 2});
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 20) << "hangs";
+    EXPECT_EQ(out.rendering.nonfiniteSamples, 0u);
+    for (const float v : out.rendering.beauty.rgb) EXPECT_TRUE(std::isfinite(v));
+    return out;
+}
+double meanOf(const Answer& answer) { return test::estimateMean(answer.rendering.beauty).mean; }
+
+/// Changes the ball of litScene().
+template <class Change>
+Answer answerToBall(Change&& change) {
+    SceneBuilder b = litScene();
+    ObjectId id;
+    b.scene().objects.forEach([&](ObjectId each, const Object&) { id = each; });
+    Object ball = b.scene().objects.at(id);
+    change(ball);
+    b.scene().objects.set(id, ball);
+    return answerTo(b.scene());
+}
+
+TEST(Hostile, ShapesWithoutVolumeAreLeftOutByName) {
+    const double nan = std::nan("");
+    const std::vector<Shape> flat = {Sphere{0}, Box{{1, 0, 1}}, Cylinder{0, 1}, Cone{1, 0}, Disk{0}, Quad{{0, 1}}, Torus{0, 0.2}, Sphere{nan}, Sphere{kInfinity}};
+    for (const Shape& shape : flat) {
+        const Answer answer = answerToBall([&](Object& ball) { ball.shape = shape; });
+        EXPECT_TRUE(answer.drawn);
+        EXPECT_NE(answer.text.find("Object 2"), std::string::npos) << kindOf(shape) << ": " << answer.text;
+        EXPECT_GT(meanOf(answer), 0.3);
+    }
+}
+
+TEST(Hostile, TransformsThatAreNoneAreLeftOutByName) {
+    const double nan = std::nan("");
+    const auto expectLeftOut = [](auto&& change) {
+        const Answer answer = answerToBall(change);
+        EXPECT_TRUE(answer.drawn);
+        EXPECT_NE(answer.text.find("Object 2"), std::string::npos) << answer.text;
+        EXPECT_GT(meanOf(answer), 0.3);
+    };
+    expectLeftOut([](Object& o) { o.transform.scale = {1, 0, 1}; });
+    expectLeftOut([&](Object& o) { o.transform.scale = {1, nan, 1}; });
+    expectLeftOut([&](Object& o) { o.transform.translate = {nan, 0, 0}; });
+    expectLeftOut([&](Object& o) { o.transform.translate = {0, kInfinity, 0}; });
+    expectLeftOut([&](Object& o) { o.transform.rotateDegrees = {0, 0, nan}; });
+    expectLeftOut([](Object& o) { o.transform.matrix = {1, 2, 3, 0, 2, 4, 6, 0, 1, 1, 1, 0}; });
+    expectLeftOut([](Object& o) { o.transform.scale = DVec3(1e200); });
+}
+
+/// White inside and out: wherever the camera is, it sees 1.
+SceneBuilder furnace(const Shape& shape) {
+    SceneBuilder b;
+    b.object(shape, b.material(Glass{}), {0, 0, 0});
+    b.scene().environment.color = Color{1, 1, 1};
+    b.scene().render.maxDepth = 200;
+    b.film(12, 12, 4);
+    return b;
+}
+
+TEST(Hostile, CamerasInsideAndOnSurfacesSeeTheRightPicture) {
+    const std::vector<Shape> shapes = {Sphere{1}, Box{{2, 2, 2}}, Cylinder{1, 2}, Cone{1, 2}, Torus{1, 0.4}, Plane{}};
+    const DVec3 places[] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, -1, 0}, {1, 0.4, 0}, {0.6, 0.8, 0}, {0.3, -0.2, 0.1}};
+    for (const Shape& shape : shapes)
+        for (const DVec3& place : places)
+            for (const DVec3& way : {DVec3(1, 0, 0), DVec3(0, -1, 0), DVec3(0, 1, 0), DVec3(-0.3, 0.5, 0.9)}) {
+                SceneBuilder b = furnace(shape);
+                b.camera(place, place + way, 90);
+                const Answer answer = answerTo(b.scene());
+                ASSERT_TRUE(answer.drawn) << answer.text;
+                // Paths end after 200 interactions, of which total reflection takes a few per cent for ever.
+                EXPECT_NEAR(meanOf(answer), 1, 0.2) << kindOf(shape) << " from " << place.x << ' ' << place.y << ' ' << place.z;
+            }
+}
+
+TEST(Hostile, ACameraWithoutADirectionIsRefused) {
+    const double nan = std::nan("");
+    const auto expectRefused = [](auto&& change) {
+        SceneBuilder b = litScene();
+        change(b.scene().camera);
+        const Answer answer = answerTo(b.scene());
+        EXPECT_FALSE(answer.drawn);
+        EXPECT_NE(answer.text.find("camera"), std::string::npos) << answer.text;
+    };
+    expectRefused([](Camera& c) { c.target = c.position; });
+    expectRefused([](Camera& c) { c.up = c.target - c.position; });
+    expectRefused([](Camera& c) { c.up = DVec3(0.0); });
+    expectRefused([&](Camera& c) { c.position.x = nan; });
+    expectRefused([](Camera& c) { c.target.y = kInfinity; });
+    expectRefused([](Camera& c) { c.verticalFovDegrees = 180; });
+    expectRefused([](Camera& c) { c.verticalFovDegrees = 0; });
+}
+
+TEST(Hostile, NarrowAndWideViewsAndSmallFilmsAreDrawn) {
+    for (const double fov : {0.001, 179.0, 179.999}) {
+        SceneBuilder b = litScene();
+        b.scene().camera.verticalFovDegrees = fov;
+        const Answer answer = answerTo(b.scene());
+        EXPECT_TRUE(answer.drawn);
+        EXPECT_GT(meanOf(answer), 0.05) << fov;
+    }
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 300}, {300, 1}}) {
+        SceneBuilder b = litScene();
+        b.film(width, height, 2);
+        EXPECT_GT(meanOf(answerTo(b.scene())), 0.05);
+    }
+    SceneBuilder up = litScene();
+    up.camera({3, 0.5, 0}, {3, 8, 0}, 60);  // straight up into the sky
+    EXPECT_NEAR(meanOf(answerTo(up.scene())), 1, 1e-6);
+}
+
+TEST(Hostile, StrangeGlassKeepsTheFurnaceWhite) {
+    for (const double ior : {1.0, 1 + 1e-12, 0.5, 1e-3, 3.0, 1e3}) {
+        SceneBuilder b = furnace(Sphere{1});
+        b.scene().materials.forEach([&](MaterialId id, Material material) {
+            std::get<Glass>(material.value).ior.value = ior;
+            b.scene().materials.set(id, material);
+        });
+        b.camera({0, 0.3, 4}, {0, 0, 0}, 40);
+        const Answer answer = answerTo(b.scene());
+        ASSERT_TRUE(answer.drawn);
+        EXPECT_NEAR(meanOf(answer), 1, 0.05) << "index " << ior;
+    }
+}
+
+TEST(Hostile, AbsorptionOfAMillionIsBlackAndOfZeroIsClear) {
+    SceneBuilder b;
+    b.object(Sphere{1}, b.material(Glass{1.0, Color{1e6, 1e6, 0}}));
+    b.scene().environment.color = Color{1, 1, 1};
+    b.camera({0, 0, 4}, {0, 0, 0}, 10);
+    b.film(8, 8, 4);
+    const Answer answer = answerTo(b.scene());
+    EXPECT_LT(test::estimateMean(answer.rendering.beauty, 0).mean, 1e-6);
+    EXPECT_NEAR(test::estimateMean(answer.rendering.beauty, 2).mean, 1, 1e-6);
+}
+
+TEST(Hostile, DimAndBrightLightsKeepTheirRatio) {
+    const auto litBy = [](double radiance) {
+        SceneBuilder b;
+        b.object(Plane{}, b.material(Diffuse{}));
+        b.object(Sphere{0.5}, {}, {0, 3, 0}, {radiance, radiance, radiance});
+        b.camera({0, 2, 6}, {0, 0, 0}, 40);
+        b.film(8, 8, 4);
+        return meanOf(answerTo(b.scene()));
+    };
+    const double one = litBy(1);
+    EXPECT_NEAR(litBy(1e-30) / 1e-30, one, 1e-4 * one);
+    EXPECT_NEAR(litBy(1e30) / 1e30, one, 1e-4 * one);
+}
+
+TEST(Hostile, ThreadsGiantsAndCrowdsAreDrawn) {
+    SceneBuilder b = litScene();
+    const MaterialId glass = b.material(Glass{1.5, Color{}, 0.3});
+    b.object(Cylinder{1e-9, 10}, glass, {0, 1, 1});
+    b.object(Torus{1, 1e-6}, glass, {0, 1, 1});
+    b.object(Torus{1e-3, 1}, glass, {2, 1, 0});
+    b.object(Box{{1e-9, 1e9, 1}}, glass, {3, 0, 0});
+    b.object(Cone{1e6, 1e-6}, glass, {0, 5, 0}, {1, 1, 1});
+    b.object(Sphere{1e9}, glass, {0, -1e9, 0});
+    for (int i = 0; i < 20; ++i) b.object(Sphere{1.0 + 0.01 * i}, glass, {0, 1, 0});  // deeper than the stack of media
+    EXPECT_GT(meanOf(answerTo(b.scene())), 0.01);
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,144 @@
+#include "tests/support/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace glint::test {
+
+SceneBuilder::SceneBuilder() {
+    scene_.film.width = scene_.film.height = 32;
+    scene_.render.maxDepth = 16;
+    scene_.render.spp = 64;
+}
+
+ObjectId SceneBuilder::object(const Shape& shape, MaterialId material, const DVec3& at, const Color& emission) {
+    Object object;
+    object.name = "Object " + std::to_string(scene_.objects.size() + 1);
+    object.shape = shape;
+    object.material = material;
+    object.transform.translate = at;
+    object.emission = emission;
+    return scene_.objects.add(std::move(object));
+}
+
+void SceneBuilder::pointLight(const DVec3& at, const Color& intensity) {
+    scene_.lights.add({"Light " + std::to_string(scene_.lights.size() + 1), PointLight{at, intensity}, true, ""});
+}
+
+void SceneBuilder::camera(const DVec3& from, const DVec3& to, double fovDegrees) {
+    scene_.camera.position = from;
+    scene_.camera.target = to;
+    scene_.camera.verticalFovDegrees = fovDegrees;
+    const DVec3 axis = glm::normalize(to - from);
+    scene_.camera.up = std::abs(axis.y) > 0.9 ? DVec3(0, 0, -1) : DVec3(0, 1, 0);
+}
+
+void SceneBuilder::film(int width, int height, int spp) {
+    scene_.film.width = width;
+    scene_.film.height = height;
+    scene_.render.spp = fullRun() ? 16 * spp : spp;
+}
+
+std::shared_ptr<const RenderScene> SceneBuilder::compile() const {
+    AssetCache assets;
+    auto compiled = glint::compile(scene_, GLINT_SOURCE_DIR "/scenes", assets);
+    EXPECT_TRUE(compiled.ok());
+    return compiled.value().scene;
+}
+
+Rendering SceneBuilder::render(int threads) const {
+    Rendering out = glint::render(compile(), {.threads = threads});
+    EXPECT_EQ(out.nonfiniteSamples, 0u);
+    return out;
+}
+
+Estimate estimateMean(const Image& image, int channel) {
+    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double v = image.rgb[3 * i + static_cast<std::size_t>(channel)];
+        sum += v;
+        squares += v * v;
+    }
+    const double n = static_cast<double>(count), mean = sum / n;
+    return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean) / (n - 1))};
+}
+
+PixelEstimates estimatePixels(SceneBuilder builder, int seeds) {
+    PixelEstimates out;
+    std::vector<double> sums, squares;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        builder.scene().render.seed = seed;
+        const Image image = builder.render().beauty;
+        out.width = image.width;
+        out.height = image.height;
+        const std::size_t count = image.rgb.size() / 3;
+        sums.resize(count);
+        squares.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double v = image.rgb[3 * i];
+            sums[i] += v;
+            squares[i] += v * v;
+        }
+    }
+    const double n = seeds;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const double mean = sums[i] / n;
+        out.pixels.push_back({mean, std::sqrt(std::max(0.0, squares[i] / n - mean * mean) / (n - 1))});
+    }
+    return out;
+}
+
+void expectPixels(const std::vector<PixelTest>& pixels, int seeds, double unseen, const std::string& what) {
+    ASSERT_FALSE(pixels.empty()) << what;
+    // Student's t with `seeds` - 1 degrees of freedom: its variance, and a bound far out in its tail for so many pixels.
+    const double freedom = seeds - 1;
+    ASSERT_GE(freedom, 15) << "too few seeds for a bound";
+    double squares = 0, worst = 0, bias = 0, variance = 0, rounding = 0;
+    std::size_t noisy = 0;
+    for (const PixelTest& p : pixels) {
+        const double floor = 3e-7 * std::abs(p.exact) + 1e-9;  // Pictures, and refractive indices, are rounded to float.
+        bias += p.estimate - p.exact;
+        variance += p.sigma * p.sigma;
+        rounding += floor;
+        const double error = std::max(0.0, std::abs(p.estimate - p.exact) - floor - unseen);
+        if (error == 0) continue;
+        ASSERT_GT(p.sigma, 0) << what << ": no noise, yet " << p.estimate << " instead of " << p.exact;
+        const double z = error / p.sigma;
+        squares += z * z;
+        worst = std::max(worst, z);
+        ++noisy;
+    }
+    EXPECT_LE(std::abs(bias), 4 * std::sqrt(variance) + rounding) << what << ": mean over all pixels";
+    const double alpha = 1e-3 / static_cast<double>(pixels.size());
+    // Tail of Student's t from the normal bound (Hill 1970, first terms).
+    const double z = std::sqrt(-2 * std::log(alpha / 2));
+    const double bound = z + (z * z * z + z) / (4 * freedom) + (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / (96 * freedom * freedom);
+    EXPECT_LE(worst, bound) << what << ": worst of " << pixels.size() << " pixels";
+    if (noisy > 0) {
+        const double meanSquare = squares / static_cast<double>(noisy), expected = freedom / (freedom - 2);
+        EXPECT_LE(meanSquare, expected * (1 + 6 / std::sqrt(static_cast<double>(noisy)))) << what << ": the pixels deviate as a whole";
+    }
+}
+
+Rgb pixelAt(const Image& image, int x, int y) {
+    const std::size_t i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+    return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
+}
+
+void expectMean(const Image& image, double exact, const std::string& what) {
+    const Estimate e = estimateMean(image);
+    const double error = std::abs(e.mean - exact), rounding = 2e-7 * std::abs(exact);
+    const std::string found = what + ": mean " + std::to_string(e.mean) + ", exact " + std::to_string(exact);
+    EXPECT_LE(error, 4 * e.sigma + rounding) << found << ", sigma " << e.sigma;
+    EXPECT_LE(e.sigma, 1e-3 * std::abs(exact)) << found << ": too noisy to tell";
+    if (fullRun()) {
+        EXPECT_LE(error, 1e-3 * std::abs(exact)) << found;
+    }
+}
+
+bool fullRun() { return std::getenv("GLINT_FULL") != nullptr; }
+
+}  // namespace glint::test

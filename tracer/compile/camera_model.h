@@ -1,0 +1,58 @@
+// CameraModel: film position -> ray. Built from the document's Camera for one film size.
+#pragma once
+
+#include "tracer/math/ray.h"
+#include "tracer/math/warp.h"
+#include "tracer/scene/scene.h"
+
+namespace glint {
+
+class CameraModel {
+  public:
+    CameraModel() = default;
+    /// `origin` is the world position of render space's origin.
+    CameraModel(const Camera& camera, const DVec3& origin, int width, int height) {
+        position_ = camera.position - origin;
+        const DVec3 axis = camera.target - camera.position;
+        const double distance = glm::length(axis);
+        forward_ = axis / distance;
+        const DVec3 right = glm::normalize(glm::cross(forward_, camera.up));
+        const DVec3 up = glm::cross(right, forward_);
+        orthographic_ = camera.projection == Projection::Orthographic;
+        const double halfHeight =
+            orthographic_ ? camera.orthoHeight / 2 : std::tan(degreesToRadians(camera.verticalFovDegrees) / 2);
+        const double aspect = static_cast<double>(width) / height;
+        perPixelX_ = right * (2 * halfHeight * aspect / width);
+        perPixelY_ = -up * (2 * halfHeight / height);
+        corner_ = right * (-halfHeight * aspect) + up * halfHeight;
+        lensX_ = right * camera.apertureRadius;
+        lensY_ = up * camera.apertureRadius;
+        hasLens_ = camera.apertureRadius > 0;
+        focus_ = camera.focusDistance.value_or(distance);
+    }
+
+    /// The ray through film position (x, y), in pixels from the top left corner, and lens position u in [0, 1)^2.
+    [[nodiscard]] Ray ray(double x, double y, const DVec2& u) const {
+        const DVec3 offset = corner_ + x * perPixelX_ + y * perPixelY_;
+        DVec3 origin = orthographic_ ? position_ + offset : position_;
+        DVec3 direction = orthographic_ ? forward_ : forward_ + offset;
+        if (hasLens_) {
+            const DVec2 lens = concentricDisk(u);
+            const DVec3 shift = lens.x * lensX_ + lens.y * lensY_;
+            origin += shift;
+            direction -= shift / focus_;
+        }
+        return {origin, glm::normalize(direction)};
+    }
+
+    [[nodiscard]] const DVec3& position() const { return position_; }
+    [[nodiscard]] const DVec3& forward() const { return forward_; }
+    [[nodiscard]] bool hasLens() const { return hasLens_; }
+
+  private:
+    DVec3 position_{0.0}, forward_{0, 0, -1}, corner_{0.0}, perPixelX_{0.0}, perPixelY_{0.0}, lensX_{0.0}, lensY_{0.0};
+    double focus_ = 1;
+    bool orthographic_ = false, hasLens_ = false;
+};
+
+}  // namespace glint

@@ -1,0 +1,339 @@
+#include "tracer/compile/compiler.h"
+
+#include <bit>
+
+#include "tracer/compile/render_scene.h"
+#include "tracer/lights/sky.h"
+
+namespace glint {
+
+Result<std::shared_ptr<const Image>> AssetCache::image(const std::filesystem::path& path, ColorSpace space, int& loads) {
+    std::error_code error;
+    const auto time = std::filesystem::last_write_time(path, error);
+    const auto key = std::pair(path.string(), space);
+    if (const auto found = images_.find(key); !error && found != images_.end() && found->second.time == time)
+        return found->second.image;
+    auto loaded = loadImage(path, space);
+    ++loads;
+    if (loaded.ok() && !error) images_[key] = {time, loaded.value()};
+    return loaded;
+}
+
+std::shared_ptr<const Image> AssetCache::sky(const Sky& sky) {
+    if (!skyImage_ || !(sky == sky_)) {
+        sky_ = sky;
+        skyImage_ = std::make_shared<const Image>(skyImage(sky));
+    }
+    return skyImage_;
+}
+
+namespace {
+
+/// Bounding box in world space.
+struct Bounds {
+    DVec3 min{kInfinity}, max{-kInfinity};
+    void add(const DVec3& center, const DVec3& half) {
+        min = glm::min(min, center - half);
+        max = glm::max(max, center + half);
+    }
+    [[nodiscard]] bool empty() const { return !(min.x <= max.x); }
+};
+
+/// A picture that says "missing": a magenta and black checker.
+std::shared_ptr<const Image> missingImage() {
+    auto image = std::make_shared<Image>(Image{64, 32, {}});
+    for (int y = 0; y < image->height; ++y)
+        for (int x = 0; x < image->width; ++x) {
+            const float on = (x / 4 + y / 4) % 2 ? 0.5f : 0.0f;
+            image->rgb.insert(image->rgb.end(), {on, 0, on});
+        }
+    return image;
+}
+
+/// One run of compile(): fills `out_` part by part.
+class Compiler {
+  public:
+    Compiler(const Scene& scene, const std::filesystem::path& folder, AssetCache& assets, const RenderScene* previous)
+        : scene_(scene), folder_(folder), assets_(assets), previous_(previous) {}
+
+    Result<Compiled> run() {
+        addMaterials();
+        addShapes();
+        addLights();
+        addEnvironment();
+        out_->lights.finish();
+        ++compiled_.stats.lightTablesBuilt;
+        out_->film = scene_.film;
+        out_->settings = scene_.render;
+        out_->camera = CameraModel(scene_.viewCamera(), out_->origin, scene_.film.width, scene_.film.height);
+        out_->lists = ShapeLists(out_->shapes);
+        ++compiled_.stats.shapeListsBuilt;
+        findCameraMedia();
+        findFeatures();
+        warnOfSettings();
+        compiled_.scene = std::move(out_);
+        return std::move(compiled_);
+    }
+
+  private:
+    void warn(CompileWarning::Kind kind, std::string pointer, std::string message, std::string remedy = {}) {
+        compiled_.warnings.push_back({kind, Error{.message = std::move(message), .pointer = std::move(pointer), .remedy = std::move(remedy)}});
+    }
+
+    void addMaterials() {
+        BsdfBuilder builder(scene_);
+        scene_.materials.forEach([&](MaterialId id, const Material& material) {
+            MaterialLeaves leaves = builder.build(id);
+            for (const std::string& what : leaves.notBuilt)
+                warn(CompileWarning::Kind::NotBuiltYet, "/materials/" + material.name, "material \"" + material.name + "\": " + what);
+            materialIndex_[id] = static_cast<std::uint32_t>(out_->materials.size());
+            out_->materials.push_back(finish(std::move(leaves)));
+        });
+        black_ = static_cast<std::uint32_t>(out_->materials.size());
+        out_->materials.emplace_back();
+    }
+
+    static CompiledMaterial finish(MaterialLeaves leaves) {
+        CompiledMaterial out;
+        out.dielectric = leaves.dielectric;
+        out.medium = leaves.medium;
+        out.leaves = std::move(leaves.leaves);
+        for (const WeightedLeaf& weighted : out.leaves) {
+            float chance = 0;
+            std::visit(
+                [&]<class Leaf>(const Leaf& leaf) {
+                    if constexpr (Leaf::kSmooth) chance = maxComponent(weighted.weight * leaf.albedo());
+                    if constexpr (Leaf::kDelta) out.hasDelta = true;
+                    if constexpr (std::is_same_v<Leaf, ClearBsdf> || std::is_same_v<Leaf, ThinGlassBsdf>) out.straight += weighted.weight;
+                },
+                weighted.leaf);
+            out.pick.push_back(chance);
+            out.smoothAlbedo += chance;
+        }
+        for (float& chance : out.pick)
+            if (out.smoothAlbedo > 0) chance /= out.smoothAlbedo;
+        return out;
+    }
+
+    void addShapes() {
+        std::vector<std::pair<ObjectId, Affine>> placed;
+        Bounds bounds;
+        scene_.objects.forEach([&](ObjectId id, const Object& object) {
+            if (!isVisible(scene_, object)) return;
+            if (std::holds_alternative<Mesh>(object.shape)) {
+                warn(CompileWarning::Kind::NotBuiltYet, "/objects/" + object.name, "object \"" + object.name + "\": meshes are not drawn yet");
+                return;
+            }
+            const Affine world = worldFromObject(scene_, object);
+            placed.emplace_back(id, world);
+            if (!std::holds_alternative<Plane>(object.shape)) bounds.add(world.translation, halfSize(object.shape, world.linear));
+        });
+        if (!bounds.empty()) out_->origin = 0.5 * (bounds.min + bounds.max);
+        for (const auto& [id, world] : placed) addShape(id, scene_.objects.at(id), world);
+    }
+
+    /// Half the size of the world box around a shape's local box.
+    static DVec3 halfSize(const Shape& shape, const DMat3& linear) {
+        const DVec3 half = std::visit(
+            []<class S>(const S& s) -> DVec3 {
+                if constexpr (std::is_same_v<S, Mesh>) return DVec3(0.0);
+                else if constexpr (std::is_same_v<S, Torus>) return {s.majorRadius + s.minorRadius, s.minorRadius, s.majorRadius + s.minorRadius};
+                else if constexpr (std::is_same_v<S, Quad> || std::is_same_v<S, Disk>) return DVec3(1, 0, 1) * s.halfExtents();
+                else return s.halfExtents();
+            },
+            shape);
+        return glm::abs(linear[0]) * half.x + glm::abs(linear[1]) * half.y + glm::abs(linear[2]) * half.z;
+    }
+
+    void addShape(ObjectId id, const Object& object, const Affine& world) {
+        ShapeInstance instance;
+        instance.object = id;
+        DVec3 half(1.0);
+        bool closed = false;
+        std::visit(
+            [&]<class S>(const S& shape) {
+                if constexpr (!std::is_same_v<S, Mesh>) {
+                    instance.shape = shape.canonical();
+                    half = shape.halfExtents();
+                    closed = decltype(shape.canonical())::closed;
+                }
+            },
+            object.shape);
+        DMat3 linear = world.linear;
+        for (int axis = 0; axis < 3; ++axis) linear[axis] *= half[axis];
+        const auto localFromWorld = inverse(Affine{linear, DVec3(0.0)});
+        if (!localFromWorld) {
+            warn(CompileWarning::Kind::Ignored, "/objects/" + object.name, "object \"" + object.name + "\" is left out: its transform cannot be inverted",
+                 "give it a scale that is not 0");
+            return;
+        }
+        instance.worldFromLocal = linear;
+        instance.localFromWorld = localFromWorld->linear;
+        instance.center = world.translation - out_->origin;
+        const auto material = materialIndex_.find(object.material);
+        instance.material = material == materialIndex_.end() ? black_ : material->second;
+        instance.dielectric = closed && out_->materials[instance.material].dielectric;
+        const auto index = static_cast<std::uint32_t>(out_->shapes.size());
+        if (const Rgb emission = toRgb(object.emission); !isBlack(emission) && !std::holds_alternative<Plane>(object.shape)) {
+            instance.light = static_cast<std::uint32_t>(out_->lights.lights.size());
+            const double area = std::cbrt(std::pow(glm::determinant(linear), 2.0));
+            out_->lights.lights.push_back({.kind = LightKind::Area,
+                                           .emission = emission,
+                                           .shape = index,
+                                           .twoSided = object.twoSided,
+                                           .power = luminance(emission) * static_cast<float>(4 * kPi * area)});
+        }
+        out_->shapes.push_back(instance);
+    }
+
+    void addLights() {
+        scene_.lights.forEach([&](LightId, const Light& light) {
+            if (light.visible) std::visit([&](const auto& value) { addLight(value); }, light.value);
+        });
+    }
+    void addLight(const PointLight& light) {
+        const Rgb intensity = toRgb(light.intensity);
+        if (isBlack(intensity)) return;
+        out_->lights.lights.push_back({.kind = LightKind::Point,
+                                       .position = light.position - out_->origin,
+                                       .emission = intensity,
+                                       .power = 4 * kPiF * luminance(intensity)});
+    }
+    void addLight(const SpotLight& light) {
+        const Rgb intensity = toRgb(light.intensity);
+        const DVec3 axis = light.target - light.position;
+        if (isBlack(intensity) || !(glm::length(axis) > 0)) return;
+        const double outer = degreesToRadians(light.coneDegrees / 2), inner = outer * (1 - light.blend);
+        out_->lights.lights.push_back({.kind = LightKind::Spot,
+                                       .position = light.position - out_->origin,
+                                       .direction = glm::normalize(axis),
+                                       .emission = intensity,
+                                       .cosInner = static_cast<float>(std::cos(inner)),
+                                       .cosOuter = static_cast<float>(std::cos(outer)),
+                                       .power = static_cast<float>(2 * kPi * (1 - std::cos(outer))) * luminance(intensity)});
+    }
+    void addLight(const SunLight& light) { addSun(light.direction, toRgb(light.irradiance), light.angleDegrees); }
+
+    /// `direction`: of travel.
+    void addSun(const DVec3& direction, const Rgb& irradiance, double angleDegrees) {
+        if (isBlack(irradiance) || !(glm::length(direction) > 0)) return;
+        const double sine = std::sin(degreesToRadians(angleDegrees / 2)), sin2 = sine * sine;
+        if (sin2 > 0) out_->lights.sunDiscs.push_back(static_cast<std::uint32_t>(out_->lights.lights.size()));
+        out_->lights.lights.push_back({.kind = LightKind::Sun,
+                                       .direction = -glm::normalize(direction),
+                                       .emission = sin2 > 0 ? irradiance * static_cast<float>(1 / (kPi * sin2)) : irradiance,
+                                       .sin2Angle = sin2,
+                                       .power = luminance(irradiance) * skyArea()});
+    }
+
+    void addEnvironment() {
+        const Environment& e = scene_.environment;
+        CompiledEnvironment& out = out_->lights.environment;
+        const double turn = degreesToRadians(std::remainder(e.rotationDegrees, 360.0));
+        out.sinRotation = std::sin(turn);
+        out.cosRotation = std::cos(turn);
+        out.visibleToCamera = e.visibleToCamera;
+        std::shared_ptr<const Image> image;
+        if (!e.image.empty()) {
+            auto loaded = assets_.image(folder_ / e.image, ColorSpace::Auto, compiled_.stats.imagesLoaded);
+            if (!loaded.ok()) {
+                Error error = loaded.error();
+                error.pointer = "/environment/image";
+                if (error.remedy.empty()) error.remedy = "correct the path; it is relative to the scene file";
+                compiled_.warnings.push_back({CompileWarning::Kind::MissingAsset, std::move(error)});
+            }
+            image = loaded.ok() ? loaded.value() : missingImage();
+        } else if (e.sky) {
+            image = assets_.sky(*e.sky);
+        }
+        const Rgb tint = e.sky && !e.color ? Rgb(1.0f) : toRgb(e.effectiveColor());
+        out.scale = tint * static_cast<float>(e.intensity);
+        if (e.sky && e.image.empty()) {
+            const SkySun sun = skySun(*e.sky);
+            addSun(-out.worldFromMap(sun.direction), sun.irradiance * out.scale, sun.angleDegrees);
+        }
+        if (!image || out.isBlack()) return;
+        out.map = reusedMap(image);
+        out_->lights.environmentLight = static_cast<std::uint32_t>(out_->lights.lights.size());
+        out_->lights.lights.push_back(
+            {.kind = LightKind::Environment, .power = kPiF * luminance(out.scale * out.map->meanRadiance()) * skyArea()});
+    }
+
+    /// The previous scene's map where it was made from the same picture.
+    std::shared_ptr<const EnvironmentMap> reusedMap(const std::shared_ptr<const Image>& image) {
+        const auto& old = previous_ ? previous_->lights.environment.map : nullptr;
+        if (old && old->image() == image) return old;
+        ++compiled_.stats.environmentTablesBuilt;
+        return std::make_shared<const EnvironmentMap>(image);
+    }
+
+    /// Area of a disc around the finite scene: what light from infinitely far falls on.
+    [[nodiscard]] float skyArea() const {
+        double radius2 = 0;
+        for (const ShapeInstance& shape : out_->shapes) {
+            if (std::holds_alternative<CanonicalPlane>(shape.shape)) continue;
+            const DVec3 reach = glm::abs(shape.center) + glm::abs(shape.worldFromLocal[0]) + glm::abs(shape.worldFromLocal[1]) + glm::abs(shape.worldFromLocal[2]);
+            radius2 = std::max(radius2, glm::dot(reach, reach));
+        }
+        return static_cast<float>(kPi * (radius2 > 0 ? radius2 : 1.0));
+    }
+
+    void findCameraMedia() {
+        for (std::size_t i = 0; i < out_->shapes.size(); ++i) {
+            const ShapeInstance& shape = out_->shapes[i];
+            const DVec3 p = shape.localPoint(out_->camera.position());
+            if (shape.dielectric && std::visit([&](const auto& canonical) { return canonical.inside(p); }, shape.shape))
+                out_->cameraMedia.cross(static_cast<std::uint32_t>(i));
+        }
+    }
+
+    void findFeatures() {
+        Features& f = out_->features;
+        const auto add = [&](Feature feature, bool present) { f |= present ? static_cast<Features>(feature) : 0u; };
+        for (const ShapeInstance& shape : out_->shapes) {
+            const CompiledMaterial& material = out_->materials[shape.material];
+            add(Feature::Smooth, material.hasSmooth());
+            add(Feature::Delta, material.hasDelta);
+            add(Feature::Media, shape.dielectric);
+            add(Feature::Straight, !isBlack(material.straight));
+        }
+        for (const CompiledLight& light : out_->lights.lights) {
+            add(Feature::DeltaLights, light.isDelta());
+            add(Feature::AreaLights, light.kind == LightKind::Area);
+            add(Feature::Sky, light.kind == LightKind::Sun && !light.isDelta());
+            add(Feature::SampledSky, light.kind == LightKind::Environment || (light.kind == LightKind::Sun && !light.isDelta()));
+        }
+        add(Feature::Sky, !out_->lights.environment.isBlack());
+        add(Feature::Lens, out_->camera.hasLens());
+    }
+
+    void warnOfSettings() {
+        if (scene_.render.errorPercent > 0)
+            warn(CompileWarning::Kind::NotBuiltYet, "/render/error_percent", "stopping at an error is not built yet", "use spp or time_seconds");
+    }
+
+    const Scene& scene_;
+    const std::filesystem::path& folder_;
+    AssetCache& assets_;
+    const RenderScene* previous_;
+    std::shared_ptr<RenderScene> out_ = std::make_shared<RenderScene>();
+    Compiled compiled_;
+    std::map<MaterialId, std::uint32_t> materialIndex_;
+    std::uint32_t black_ = 0;
+};
+
+}  // namespace
+
+Result<Compiled> compile(const Scene& scene, const std::filesystem::path& assetFolder, AssetCache& assets,
+                         const std::shared_ptr<const RenderScene>& previous) {
+    return Compiler(scene, assetFolder, assets, previous.get()).run();
+}
+
+std::vector<std::string> featureNames(const RenderScene& scene) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < kFeatureNames.size(); ++i)
+        if (scene.features >> i & 1) names.emplace_back(kFeatureNames[i]);
+    return names;
+}
+
+}  // namespace glint

@@ -1,0 +1,118 @@
+#include "tracer/compile/light_table.h"
+
+#include <algorithm>
+
+namespace glint {
+
+namespace {
+
+/// Densities per solid angle change by this factor from a shape's local space to the world: |det M| / |M w|^3.
+double solidAngleScale(const ShapeInstance& shape, const DVec3& wi) {
+    const double length = glm::length(shape.localVector(wi));
+    return std::abs(glm::determinant(shape.localFromWorld)) / (length * length * length);
+}
+
+LightSample sampleArea(const CompiledLight& light, const ShapeInstance& shape, const Ray& from, const MediaStack& media,
+                       const DVec2& u) {
+    const DVec3 localOrigin = shape.localPoint(from.origin);
+    const DirectionSample s =
+        std::visit([&](const auto& canonical) { return canonical.sampleDirection(localOrigin, u); }, shape.shape);
+    if (!(s.pdf > 0)) return {};
+    Ray ray = from;
+    ray.direction = glm::normalize(shape.worldFromLocal * s.direction);
+    const Crossing hit = hitShape(shape, light.shape, ray, media);
+    if (!hit.found()) return {};
+    if (!light.twoSided) {
+        const DVec3 localDirection = shape.localVector(ray.direction);
+        const bool fromOutside = std::visit(
+            [&](const auto& canonical) {
+                const DVec3 p = canonical.project(localOrigin + hit.t * localDirection, hit.face);
+                return glm::dot(canonical.normal(p, hit.face), localDirection) < 0;
+            },
+            shape.shape);
+        if (!fromOutside) return {};
+    }
+    return {ray.direction, hit.t, light.emission, s.pdf * solidAngleScale(shape, ray.direction), light.shape};
+}
+
+LightSample samplePoint(const CompiledLight& light, const DVec3& from) {
+    const DVec3 to = light.position - from;
+    const double distance2 = glm::dot(to, to);
+    if (!(distance2 > 0)) return {};
+    const double distance = std::sqrt(distance2);
+    const DVec3 wi = to / distance;
+    Rgb irradiance = light.emission * static_cast<float>(1 / distance2);
+    if (light.kind == LightKind::Spot) {
+        const float cosine = static_cast<float>(-glm::dot(wi, light.direction));
+        if (cosine <= light.cosOuter) return {};
+        if (cosine < light.cosInner) {
+            const float x = (cosine - light.cosOuter) / (light.cosInner - light.cosOuter);
+            irradiance *= x * x * (3 - 2 * x);
+        }
+    }
+    return {wi, distance, irradiance, 1.0};
+}
+
+}  // namespace
+
+void LightTable::finish() {
+    double total = 0;
+    for (const CompiledLight& light : lights) total += light.power;
+    cumulative.clear();
+    double sum = 0;
+    for (const CompiledLight& light : lights) {
+        sum += total > 0 ? light.power / total : 1.0 / static_cast<double>(lights.size());
+        cumulative.push_back(sum);
+    }
+    if (!cumulative.empty()) cumulative.back() = 1;
+}
+
+std::uint32_t LightTable::pick(double u, double& probability) const {
+    const auto it = std::upper_bound(cumulative.begin(), cumulative.end() - 1, u);
+    const auto index = static_cast<std::uint32_t>(it - cumulative.begin());
+    probability = pickProbability(index);
+    return index;
+}
+
+LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index,
+                        const Ray& from, const MediaStack& media, const DVec2& u) {
+    const CompiledLight& light = lights.lights[index];
+    switch (light.kind) {
+        case LightKind::Point:
+        case LightKind::Spot: return samplePoint(light, from.origin);
+        case LightKind::Sun: {
+            if (light.sin2Angle == 0) return {light.direction, kInfinity, light.emission, 1.0};
+            const DirectionSample s = uniformCone(light.direction, light.sin2Angle, u);
+            return {s.direction, kInfinity, light.emission, s.pdf};
+        }
+        case LightKind::Area: return sampleArea(light, shapes[light.shape], from, media, u);
+        case LightKind::Environment: {
+            const CompiledEnvironment& environment = lights.environment;
+            const EnvironmentSample s = environment.map->sample(Vec2(u));
+            if (!(s.pdf > 0)) return {};
+            return {environment.worldFromMap(s.direction), kInfinity, environment.scale * s.radiance, s.pdf};
+        }
+    }
+    return {};
+}
+
+double lightPdf(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index, const DVec3& from,
+                const DVec3& wi) {
+    const CompiledLight& light = lights.lights[index];
+    switch (light.kind) {
+        case LightKind::Point:
+        case LightKind::Spot: return 0;
+        case LightKind::Sun: return light.sin2Angle == 0 ? 0 : 1 / coneSolidAngle(light.sin2Angle);
+        case LightKind::Environment: return lights.environment.map->pdf(lights.environment.mapFromWorld(wi));
+        case LightKind::Area: break;
+    }
+    const ShapeInstance& shape = shapes[light.shape];
+    const double local = std::visit(
+        [&](const auto& canonical) {
+            return canonical.pdfDirection(shape.localPoint(from), glm::normalize(shape.localVector(wi)));
+        },
+        shape.shape);
+    return local * solidAngleScale(shape, wi);
+}
+
+}  // namespace glint

@@ -1,0 +1,91 @@
+// LightTable: everything that emits, with next-event sampling and its density. Start at sampleLight().
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tracer/color/rgb.h"
+#include "tracer/compile/shape_lists.h"
+#include "tracer/lights/environment_map.h"
+
+namespace glint {
+
+enum class LightKind { Point, Spot, Sun, Area, Environment };
+
+/// One light in render space.
+struct CompiledLight {
+    LightKind kind = LightKind::Point;
+    DVec3 position{0.0};        ///< Point, Spot
+    DVec3 direction{0, -1, 0};  ///< Spot: of the axis; Sun: towards the sun; unit
+    Rgb emission{0.0f};         ///< intensity (Point, Spot), radiance (Sun with a disc, Area), irradiance (Sun of angle 0)
+    float cosInner = 1, cosOuter = 1;  ///< Spot: full inside cosInner, none outside cosOuter
+    double sin2Angle = 0;       ///< Sun: sin^2 of half the disc's angle; 0: a single direction
+    std::uint32_t shape = kNoShape;  ///< Area
+    bool twoSided = false;      ///< Area
+    float power = 0;            ///< for choosing among lights; W up to a common factor
+
+    /// Sun: the unit vector `towards` meets the disc.
+    [[nodiscard]] bool discHolds(const DVec3& towards) const {
+        const DVec3 sine = glm::cross(towards, direction);
+        return glm::dot(towards, direction) > 0 && glm::dot(sine, sine) <= sin2Angle;
+    }
+    /// Only next-event estimation can find it.
+    [[nodiscard]] bool isDelta() const {
+        return kind == LightKind::Point || kind == LightKind::Spot || (kind == LightKind::Sun && sin2Angle == 0);
+    }
+};
+
+/// Light arriving at a point from one direction.
+struct LightSample {
+    DVec3 wi{0.0};              ///< unit, towards the light
+    double distance = kInfinity;
+    Rgb radiance{0.0f};         ///< for delta lights: irradiance on a facing surface
+    double pdf = 0;             ///< per solid angle; 1 for delta lights; 0: no light
+    std::uint32_t shape = kNoShape;  ///< the light's own shape, which must not shadow it
+};
+
+/// The document's environment: scale times a picture, or scale alone.
+struct CompiledEnvironment {
+    Rgb scale{0.0f};
+    std::shared_ptr<const EnvironmentMap> map;
+    double sinRotation = 0, cosRotation = 1;
+    bool visibleToCamera = true;
+
+    [[nodiscard]] DVec3 mapFromWorld(const DVec3& d) const {
+        return {cosRotation * d.x - sinRotation * d.z, d.y, sinRotation * d.x + cosRotation * d.z};
+    }
+    [[nodiscard]] DVec3 worldFromMap(const DVec3& d) const {
+        return {cosRotation * d.x + sinRotation * d.z, d.y, -sinRotation * d.x + cosRotation * d.z};
+    }
+    [[nodiscard]] Rgb radiance(const DVec3& direction) const {
+        return map ? scale * map->radiance(mapFromWorld(direction)) : scale;
+    }
+    [[nodiscard]] bool isBlack() const { return glint::isBlack(scale); }
+};
+
+struct LightTable {
+    std::vector<CompiledLight> lights;
+    std::vector<double> cumulative;  ///< of power, normalised; same order as `lights`
+    CompiledEnvironment environment;
+    std::uint32_t environmentLight = ~0u;    ///< index of the environment in `lights`; ~0: not sampled (constant or black)
+    std::vector<std::uint32_t> sunDiscs;     ///< indices of suns with a disc, which rays into the sky can hit
+
+    /// Fills `cumulative`. Call when `lights` is complete.
+    void finish();
+
+    [[nodiscard]] bool empty() const { return lights.empty(); }
+    /// A light for u in [0, 1), with probability in proportion to its power.
+    [[nodiscard]] std::uint32_t pick(double u, double& probability) const;
+    [[nodiscard]] double pickProbability(std::uint32_t light) const {
+        return cumulative[light] - (light ? cumulative[light - 1] : 0.0);
+    }
+};
+
+/// Light from `lights.lights[index]` at the start of `from` (its direction is not used); the media are the ones `from` is in.
+[[nodiscard]] LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index,
+                                      const Ray& from, const MediaStack& media, const DVec2& u);
+/// The density with which sampleLight() would have drawn the direction `wi`, which reaches the light.
+[[nodiscard]] double lightPdf(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index,
+                              const DVec3& from, const DVec3& wi);
+
+}  // namespace glint

@@ -1,0 +1,64 @@
+// RenderScene: the compiled scene, immutable while it is traced. Positions are relative to `origin`, the centre of the finite
+// scene bounds, so that a scene far from zero loses nothing. Made by compiler.h; traced by render/.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tracer/compile/camera_model.h"
+#include "tracer/compile/light_table.h"
+#include "tracer/compile/shape_lists.h"
+#include "tracer/materials/builder.h"
+
+namespace glint {
+
+/// What a scene holds; kernels are compiled for sets of these and skip the rest.
+enum class Feature : std::uint32_t {
+    Smooth = 1u << 0,       ///< a BSDF with a smooth part: next-event estimation has a receiver
+    Delta = 1u << 1,        ///< a BSDF with a delta part
+    Media = 1u << 2,        ///< dielectrics that paths go into
+    Straight = 1u << 3,     ///< surfaces that shadow rays pass through: clear, thin glass
+    DeltaLights = 1u << 4,  ///< point, spot, hard sun
+    AreaLights = 1u << 5,   ///< emissive shapes
+    Sky = 1u << 6,          ///< an environment that is not black, or a sun with a disc
+    SampledSky = 1u << 7,   ///< of these, one with next-event estimation
+    Lens = 1u << 8,         ///< an aperture
+};
+inline constexpr std::array<std::string_view, 9> kFeatureNames = {
+    "smooth BSDFs", "delta BSDFs", "media", "straight transmission", "delta lights", "area lights", "sky", "sampled sky", "lens"};
+
+using Features = std::uint32_t;
+inline constexpr Features kAllFeatures = (1u << kFeatureNames.size()) - 1;
+[[nodiscard]] constexpr bool has(Features features, Feature feature) {
+    return (features & static_cast<Features>(feature)) != 0;
+}
+
+/// A material's leaves and what the kernels want to know of them at a glance.
+struct CompiledMaterial {
+    std::vector<WeightedLeaf> leaves;
+    std::vector<float> pick;  ///< chance of each leaf's smooth part, in proportion to weight times albedo; sums to 1 or 0
+    float smoothAlbedo = 0;   ///< of all smooth parts together, for choosing between them and delta branches
+    bool hasDelta = false;
+    Rgb straight{0.0f};       ///< factor on light that passes straight through, at most; black: opaque to shadow rays
+    bool dielectric = false;
+    Medium medium;
+
+    [[nodiscard]] bool hasSmooth() const { return smoothAlbedo > 0; }
+};
+
+struct RenderScene {
+    DVec3 origin{0.0};  ///< world position of render space's origin
+    std::vector<ShapeInstance> shapes;
+    ShapeLists lists;
+    std::vector<CompiledMaterial> materials;
+    LightTable lights;
+    CameraModel camera;
+    MediaStack cameraMedia;  ///< the dielectrics around the camera
+    FilmSettings film;
+    RenderSettings settings;
+    Features features = 0;
+};
+
+}  // namespace glint

@@ -1,0 +1,233 @@
+// Compiled once an instruction set: AVX2 (eight lanes), SSE4 (four, twice) and plain code as the last resort.
+#include "tracer/compile/shape_blocks.h"
+
+#include <bit>
+#include <cmath>
+
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/compile/shape_blocks.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target.h has to come first.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glint::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<float, kBlockSize>;
+using V = hn::Vec<Tag>;
+using M = hn::Mask<Tag>;
+constexpr Tag kTag;
+
+constexpr float kUnit = 0x1p-24f;
+
+/// The ray in every lane.
+struct RayLanes {
+    V hi[3], lo[3], d[3], slack, limit;
+};
+HWY_INLINE RayLanes spread(const FilterRay& ray) {
+    const auto set = [](float x) HWY_ATTR { return hn::Set(kTag, x); };
+    return {{set(ray.originHi[0]), set(ray.originHi[1]), set(ray.originHi[2])},
+            {set(ray.originLo[0]), set(ray.originLo[1]), set(ray.originLo[2])},
+            {set(ray.direction[0]), set(ray.direction[1]), set(ray.direction[2])},
+            set(ray.slack),
+            set(ray.limit)};
+}
+
+/// From the ray's origin to the centres, along one axis.
+template <class Block>
+HWY_INLINE V toCenter(const Block& block, const RayLanes& ray, int axis, std::size_t lane) {
+    return hn::Add(hn::Sub(hn::Load(kTag, block.centerHi[axis] + lane), ray.hi[axis]),
+                   hn::Sub(hn::Load(kTag, block.centerLo[axis] + lane), ray.lo[axis]));
+}
+HWY_INLINE V dot(V x, V y, V z, V ax, V ay, V az) { return hn::MulAdd(z, az, hn::MulAdd(y, ay, hn::Mul(x, ax))); }
+
+/// The part of the ray within a shape's bounds; `miss` where there surely is none before the limit.
+struct Interval {
+    V tLo;
+    M miss;
+};
+HWY_INLINE Interval interval(V t0, V t1, M outside, const RayLanes& ray) {
+    const V zero = hn::Zero(kTag);
+    return {hn::Max(t0, zero), hn::Or(outside, hn::Or(hn::Lt(t1, zero), hn::Gt(t0, ray.limit)))};
+}
+
+/// Perpendicular distance against the radius, as in CanonicalSphere.
+HWY_INLINE Interval test(const BallBlock& block, const RayLanes& ray, std::size_t lane) {
+    const V fx = toCenter(block, ray, 0, lane), fy = toCenter(block, ray, 1, lane), fz = toCenter(block, ray, 2, lane);
+    const V radius = hn::Load(kTag, block.radius + lane), margin = hn::Set(kTag, 16 * kUnit);
+    const V b = dot(fx, fy, fz, ray.d[0], ray.d[1], ray.d[2]);
+    const V px = hn::NegMulAdd(b, ray.d[0], fx), py = hn::NegMulAdd(b, ray.d[1], fy), pz = hn::NegMulAdd(b, ray.d[2], fz);
+    const V error = hn::MulAdd(margin, hn::Abs(b), ray.slack), reach = hn::Add(radius, error);
+    const M outside = hn::Gt(dot(px, py, pz, px, py, pz), hn::Mul(reach, reach));
+    // The ends b -/+ reach instead of those on the ball spare a square root.
+    const V half = hn::MulAdd(margin, radius, reach);
+    return interval(hn::Sub(b, half), hn::Add(b, half), outside, ray);
+}
+
+/// Three slabs.
+HWY_INLINE Interval test(const BoxBlock& block, const RayLanes& ray, std::size_t lane) {
+    const V fx = toCenter(block, ray, 0, lane), fy = toCenter(block, ray, 1, lane), fz = toCenter(block, ray, 2, lane);
+    const V length = hn::Add(hn::Abs(fx), hn::Add(hn::Abs(fy), hn::Abs(fz)));
+    const V error = hn::MulAdd(hn::Set(kTag, 24 * kUnit), length, ray.slack), one = hn::Set(kTag, 1.0f);
+    V t0[3], t1[3];
+    for (int slab = 0; slab < 3; ++slab) {
+        const auto& row = block.row[slab];
+        const V nx = hn::Load(kTag, row[0] + lane), ny = hn::Load(kTag, row[1] + lane), nz = hn::Load(kTag, row[2] + lane);
+        const V q = dot(fx, fy, fz, nx, ny, nz), half = hn::Add(hn::Load(kTag, block.half[slab] + lane), error);
+        const V inverse = hn::Div(one, dot(ray.d[0], ray.d[1], ray.d[2], nx, ny, nz));
+        const V a = hn::Mul(hn::Sub(q, half), inverse), b = hn::Mul(hn::Add(q, half), inverse);
+        t0[slab] = hn::Min(a, b), t1[slab] = hn::Max(a, b);
+    }
+    const V enter = hn::Max(hn::Max(t0[0], t0[1]), t0[2]), leave = hn::Min(hn::Min(t1[0], t1[1]), t1[2]);
+    return interval(enter, leave, hn::Gt(enter, leave), ray);
+}
+
+HWY_INLINE std::uint32_t bitsOf(M mask) {
+    std::uint8_t bytes[8];
+    hn::StoreMaskBits(kTag, mask, bytes);
+    return bytes[0] & ((1u << hn::Lanes(kTag)) - 1);
+}
+
+template <class Block>
+HWY_INLINE std::uint32_t scanBlock(const Block& block, const RayLanes& ray, float* tLo) {
+    std::uint32_t missed = 0;
+    for (std::size_t lane = 0; lane < kBlockSize; lane += hn::Lanes(kTag)) {
+        const Interval result = test(block, ray, lane);
+        missed |= bitsOf(result.miss) << lane;
+        hn::StoreU(result.tLo, kTag, tLo + lane);
+    }
+    return ~missed & 0xFFu;
+}
+
+template <class Block>
+HWY_INLINE std::uint64_t scan(const Block* blocks, std::size_t count, const FilterRay& ray, float* tLo) {
+    const RayLanes lanes = spread(ray);
+    std::uint64_t candidates = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        candidates |= std::uint64_t{scanBlock(blocks[i], lanes, tLo + kBlockSize * i)} << (kBlockSize * i);
+    return candidates;
+}
+
+std::uint64_t scanBalls(const BallBlock* blocks, std::size_t count, const FilterRay& ray, float* tLo) {
+    return scan(blocks, count, ray, tLo);
+}
+std::uint64_t scanBoxes(const BoxBlock* blocks, std::size_t count, const FilterRay& ray, float* tLo) {
+    return scan(blocks, count, ray, tLo);
+}
+
+/// What the walk knows of the ray beside its lanes.
+struct NodeRay {
+    float inverse[3];
+    int nearPlane[3], farPlane[3];
+};
+
+/// Which children the ray meets, and where from.
+HWY_INLINE std::uint32_t testNode(const Node8& node, const FilterRay& ray, const NodeRay& walk, float limit, float* tNear) {
+    V nearOrigin[3], farOrigin[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        const float o = (ray.originHi[axis] - node.centerHi[axis]) + (ray.originLo[axis] - node.centerLo[axis]);
+        const float error = std::copysign(16 * kUnit * std::abs(o) + ray.slack, walk.inverse[axis]);
+        nearOrigin[axis] = hn::Set(kTag, o + error);
+        farOrigin[axis] = hn::Set(kTag, o - error);
+    }
+    std::uint32_t hits = 0;
+    for (std::size_t lane = 0; lane < kBlockSize; lane += hn::Lanes(kTag)) {
+        V enter = hn::Zero(kTag), leave = hn::Set(kTag, limit);
+        for (int axis = 0; axis < 3; ++axis) {
+            const V inverse = hn::Set(kTag, walk.inverse[axis]);
+            const V front = hn::Load(kTag, node.planes[walk.nearPlane[axis]] + lane);
+            const V back = hn::Load(kTag, node.planes[walk.farPlane[axis]] + lane);
+            // With NaN first, Max and Min answer with their second operand: the axis sets no bound.
+            enter = hn::Max(hn::Mul(hn::Sub(front, nearOrigin[axis]), inverse), enter);
+            leave = hn::Min(hn::Mul(hn::Sub(back, farOrigin[axis]), inverse), leave);
+        }
+        hn::Store(enter, kTag, tNear + lane);
+        hits |= bitsOf(hn::Le(enter, leave)) << lane;
+    }
+    return hits;
+}
+
+struct Waiting {
+    float tNear;
+    std::uint32_t child;
+};
+
+/// Puts the children that are hit on the stack, the nearest on top.
+HWY_INLINE Waiting* pushHits(const Node8& node, std::uint32_t hits, const float* tNear, Waiting* top) {
+    Waiting* const base = top;
+    for (; hits != 0; hits &= hits - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(hits));
+        const Waiting added{tNear[i], node.child[i]};
+        Waiting* at = top++;
+        for (; at != base && at[-1].tNear < added.tNear; --at) *at = at[-1];
+        *at = added;
+    }
+    return top;
+}
+
+/// Decides the leaf's candidates; answers with the new limit.
+template <class Block>
+HWY_INLINE float visitLeaf(const Block& block, const RayLanes& ray, float limit, DecideLeaf decide, void* query) {
+    alignas(64) float tLo[kBlockSize];
+    std::uint32_t bits = scanBlock(block, ray, tLo) & ((1u << block.count) - 1);
+    if (bits == 0) return limit;
+    Candidate found[kBlockSize];
+    int count = 0;
+    for (; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
+        found[count++] = {tLo[lane], block.first + lane};
+    }
+    return decide(query, found, count);
+}
+
+void walkTree(const BlockTree& tree, const FilterRay& ray, DecideLeaf decide, void* query) {
+    RayLanes lanes = spread(ray);
+    float limit = ray.limit;
+    NodeRay walk{};
+    for (int axis = 0; axis < 3; ++axis) {
+        walk.inverse[axis] = 1.0f / ray.direction[axis];
+        walk.nearPlane[axis] = std::signbit(ray.direction[axis]) ? axis + 3 : axis;
+        walk.farPlane[axis] = std::signbit(ray.direction[axis]) ? axis : axis + 3;
+    }
+    Waiting stack[7 * kMaxTreeDepth + 8];
+    Waiting* top = stack;
+    *top++ = {0.0f, 0};
+    while (top != stack) {
+        const Waiting next = *--top;
+        if (next.tNear > limit) continue;
+        if (next.child & kLeafBit) {
+            const std::uint32_t index = next.child & kChildMask;
+            limit = next.child & kBallBit ? visitLeaf(tree.balls[index], lanes, limit, decide, query)
+                                          : visitLeaf(tree.boxes[index], lanes, limit, decide, query);
+            if (limit < 0) return;
+            lanes.limit = hn::Set(kTag, limit);
+        } else {
+            alignas(64) float tNear[kBlockSize];
+            const Node8& node = tree.nodes[next.child];
+            top = pushHits(node, testNode(node, ray, walk, limit, tNear), tNear, top);
+        }
+    }
+}
+
+}  // namespace
+
+BlockKernels kernels() { return {hwy::TargetName(HWY_TARGET), scanBalls, scanBoxes, walkTree}; }
+
+}  // namespace glint::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace glint {
+
+HWY_EXPORT(kernels);
+
+BlockKernels blockKernels() {
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    return HWY_DYNAMIC_DISPATCH(kernels)();
+}
+
+}  // namespace glint
+#endif

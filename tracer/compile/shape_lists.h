@@ -1,0 +1,137 @@
+// ShapeLists: the analytic shapes of a scene, and the two questions that rays ask of them. Both questions share one
+// predicate (firstHit, in double), so a point that is seen can never shadow itself. Which shapes come before the predicate is
+// a matter of speed alone: float tests of eight shapes at once rule out the rest (shape_blocks.h), in one flat list or, above
+// kFlatShapes, in a hierarchy (bvh8.h).
+#pragma once
+
+#include <vector>
+
+#include "tracer/compile/media.h"
+#include "tracer/compile/shape_blocks.h"
+#include "tracer/math/ray.h"
+#include "tracer/scene/ids.h"
+#include "tracer/shapes/all.h"
+
+namespace glint {
+
+/// One object's shape in render space (the scene's origin is subtracted). Local space is the shape's canonical space.
+struct ShapeInstance {
+    CanonicalShape shape;
+    DMat3 localFromWorld{1.0};
+    DMat3 worldFromLocal{1.0};
+    DVec3 center{0.0};           ///< of local space, in render space
+    std::uint32_t material = 0;  ///< index into RenderScene::materials
+    std::uint32_t light = ~0u;   ///< index into LightTable::lights, ~0: does not emit
+    ObjectId object;
+    bool dielectric = false;     ///< closed, and its material has an inside: paths track it in a MediaStack
+
+    [[nodiscard]] DVec3 localPoint(const DVec3& p) const { return localFromWorld * (p - center); }
+    [[nodiscard]] DVec3 localVector(const DVec3& v) const { return localFromWorld * v; }
+};
+
+struct ShapeHit {
+    double t = kInfinity;
+    std::uint32_t shape = kNoShape;
+    int face = 0;
+    [[nodiscard]] bool found() const { return shape != kNoShape; }
+};
+
+/// Where a ray starts as seen from the shape `index`.
+[[nodiscard]] inline Start startOf(const Ray& ray, const MediaStack& media, std::uint32_t index, bool dielectric) {
+    if (ray.fromShape == index) return ray.fromInside ? Start::Entering : Start::Leaving;
+    if (dielectric) return media.contains(index) ? Start::KnownInside : Start::KnownOutside;
+    return Start::Elsewhere;
+}
+
+/// Up to this many shapes lie in one flat list of blocks; more get a hierarchy. Measured by `glint-bench rays`: see
+/// tests/bench/README.md.
+inline constexpr std::size_t kFlatShapes = 15;
+/// Up to this many are decided one after the other without the filter. Measured as above.
+inline constexpr std::size_t kUnfilteredShapes = 1;
+
+/// What hits are ordered by: t, but where a boundary that the path leaves and one that it enters coincide up to rounding,
+/// the entry comes first. So media that touch share one boundary, with no gap between them.
+[[nodiscard]] inline double hitOrder(double t, const Ray& ray, Start start, bool dielectric) {
+    if (!dielectric || (start != Start::Entering && start != Start::KnownInside)) return t;
+    const double place = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z);
+    return t + 0x1p-48 * (t + place);  // Some ten roundings of the coordinates that t came from.
+}
+
+class ShapeLists {
+  public:
+    ShapeLists() = default;
+    explicit ShapeLists(const std::vector<ShapeInstance>& instances);
+
+    /// The nearest hit with t < tMax. Of equal hits the shape with the lower index wins.
+    [[nodiscard]] ShapeHit closest(const Ray& ray, const MediaStack& media, double tMax = kInfinity) const;
+    /// Whether anything but `ignored` is hit before tMax.
+    [[nodiscard]] bool occluded(const Ray& ray, const MediaStack& media, double tMax, std::uint32_t ignored) const;
+
+    /// Bytes of the hierarchy (nodes and the map from shapes to slots), and of the shapes' own data.
+    struct Memory {
+        std::size_t hierarchy = 0, shapes = 0;
+    };
+    [[nodiscard]] Memory memory() const;
+
+  private:
+    /// A sphere under a similarity: needs no matrix, because turning a ball changes nothing.
+    struct Ball {
+        DVec3 center;
+        double inverseRadius;
+        std::uint32_t index;
+        bool dielectric;
+    };
+    /// Any other shape: what intersection needs of an instance.
+    struct Entry {
+        DVec3 center;
+        DMat3 localFromWorld;
+        CanonicalShape shape;
+        std::uint32_t index;
+        bool dielectric;
+    };
+    struct Asking;
+    struct Nearest;
+    struct Any;
+
+    static Crossing firstHit(const Ball& ball, const Ray& ray, Start start);
+    static Crossing firstHit(const Entry& entry, const Ray& ray, Start start);
+    void sortByKind(const std::vector<ShapeInstance>& instances);
+    void buildFlat(const std::vector<ShapeInstance>& instances);
+    void buildTree(const std::vector<ShapeInstance>& instances);
+    void addBallBlock(std::size_t first, std::size_t count);
+    void addBoxBlock(std::size_t first, std::size_t count, const std::vector<ShapeInstance>& instances);
+    void findSlots(std::size_t instanceCount);
+
+    // A Question is Nearest or Any. Each of these answers with what it knows after its shapes have been decided.
+    template <class Question>
+    Question ask(const Ray& ray, const MediaStack& media, Question question) const;
+    template <class Question, class List>
+    static Question decideEach(const Asking& asking, Question question, const List& list);
+    template <class Question>
+    Question decideKnown(Asking& asking, Question question) const;
+    template <class Question, class Block, class Kernel>
+    Question askFlat(const Asking& asking, Question question, const std::vector<Block>& blocks, std::size_t firstSlot,
+                     std::size_t shapes, Kernel kernel, FilterRay& ray) const;
+    template <class Question>
+    Question askTree(const Asking& asking, Question question, FilterRay& ray) const;
+    template <class Question>
+    Question decideInOrder(const Asking& asking, Question question, Candidate* candidates, int count) const;
+    template <class Question>
+    void decideSlot(const Asking& asking, Question& question, std::uint32_t slot) const;
+
+    std::vector<Entry> always_;  ///< decided for every ray: planes, and shapes too skewed for the filter
+    std::vector<Ball> balls_;    ///< in the order of their blocks; slots from 0
+    std::vector<Entry> boxes_;   ///< in the order of their blocks; slots follow those of the balls
+    std::vector<BallBlock> ballBlocks_;
+    std::vector<BoxBlock> boxBlocks_;
+    std::vector<Node8> nodes_;           ///< empty: the list is flat
+    std::vector<std::uint32_t> slotOf_;  ///< of each shape instance
+    double reach_ = 0;                   ///< largest absolute coordinate of a filtered shape
+    bool unfiltered_ = true;             ///< so few shapes that all are decided
+    BlockKernels kernels_{};
+};
+
+/// The first hit of a ray on one given shape, by the same predicate as the lists.
+[[nodiscard]] Crossing hitShape(const ShapeInstance& instance, std::uint32_t index, const Ray& ray, const MediaStack& media);
+
+}  // namespace glint

@@ -1,0 +1,29 @@
+#include "tracer/io/render_stats.h"
+
+#include "tracer/io/atomic_file.h"
+#include "tracer/io/json_text.h"
+
+namespace glint {
+
+Status saveStats(const RenderStats& stats, const std::filesystem::path& path) {
+    Json out = Json::object();
+    out["scene"] = stats.scene;
+    out["integrator"] = stats.integrator;
+    out["width"] = stats.width;
+    out["height"] = stats.height;
+    out["spp"] = stats.spp;
+    out["threads"] = stats.threads;
+    out["seed"] = stats.seed;
+    out["setup_seconds"] = stats.setupSeconds;
+    out["render_seconds"] = stats.renderSeconds;
+    out["rays"] = Json{{"primary", stats.primaryRays}, {"shadow", stats.shadowRays}, {"scatter", stats.scatterRays}};
+    out["nonfinite_samples"] = stats.nonfiniteSamples;
+    out["features"] = stats.features;
+    out["kernel"] = stats.kernel;
+    out["peak_memory_bytes"] = stats.peakMemoryBytes;
+    out["interrupted"] = stats.interrupted;
+    out["warnings"] = stats.warnings;
+    return writeWhole(path, formatJson(out));
+}
+
+}  // namespace glint

@@ -1,0 +1,274 @@
+#include "tracer/lights/environment_map.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "tracer/base/check.h"
+
+namespace glint {
+namespace {
+
+/// Columns to a block. Blocks are searched, the columns of one are walked: 16 texels of two rows
+/// are eight cache lines, and the table takes a twenty-fourth of the memory of the picture.
+constexpr int kBlock = 16;
+
+/// A picture is taken as constant when less than this part of its light is above the mean.
+constexpr double kConstantShare = 1e-6;
+
+/// A strip of the sphere in which the look-up blends the same two texel rows.
+struct Band {
+    int upper, lower;     ///< texel rows
+    double start, width;  ///< theta
+};
+
+/// Band 0 hangs on the upper pole, band `height` on the lower one; both are half as wide as the
+/// others and constant in v.
+Band bandOf(int band, int height) {
+    const double rowWidth = kPi / height;
+    const double start = band == 0 ? 0 : (band - 0.5) * rowWidth;
+    const bool polar = band == 0 || band == height;
+    return {std::max(band - 1, 0), std::min(band, height - 1), start,
+            polar ? 0.5 * rowWidth : rowWidth};
+}
+
+/// Integrals of sin(start + s) and of s * sin(start + s) over s in [0, length], free of
+/// cancellation for small lengths; sine and cosine of start + length.
+struct SineMoments {
+    double zeroth, first, sinEnd, cosEnd;
+};
+SineMoments sineMoments(double sinStart, double cosStart, double length) {
+    const double sine = std::sin(length), cosine = std::cos(length);
+    const double versine = sine * sine / (1 + cosine);
+    return {cosStart * versine + sinStart * sine,
+            sinStart * (length * sine - versine) + cosStart * (sine - length * cosine),
+            sinStart * cosine + cosStart * sine, cosStart * cosine - sinStart * sine};
+}
+
+/// Weights of a band's upper and lower texel row in its integral: (1 - t) sin(theta) and t
+/// sin(theta) over the band.
+struct BandWeights {
+    double upper, lower;
+};
+BandWeights bandWeights(const Band& band) {
+    const SineMoments m = sineMoments(std::sin(band.start), std::cos(band.start), band.width);
+    const double lower = m.first / band.width;
+    return {m.zeroth - lower, lower};
+}
+
+/// The place in [0, 1] at which a density that goes linearly from a to b has the share `u` of its
+/// integral before it.
+double invertLinear(double u, double a, double b) {
+    const double denominator = a + std::sqrt(std::max(0.0, (1 - u) * a * a + u * b * b));
+    return denominator > 0 ? std::min(1.0, u * (a + b) / denominator) : 0.0;
+}
+
+/// The fraction t of a band at which the integral of ((1 - t) upper + t lower) sin(theta) from its
+/// start reaches `share` of `mass`, its value for the whole band. Halley's method from the solution
+/// for a linear density: two or three steps; error 1e-12, or 1e-4 within that much of a place where
+/// the density is zero.
+double invertBand(const Band& band, double upper, double lower, double share, double mass) {
+    constexpr int kMaxSteps = 60;
+    constexpr double kTolerance =
+        1e-4;  // Of the band. Convergence is cubic: after such a step the error is 1e-12.
+    const double sinStart = std::sin(band.start), cosStart = std::cos(band.start);
+    const double slope = (lower - upper) / band.width, target = share * mass;
+    double low = 0, high = band.width;
+    double s = band.width *
+               invertLinear(share, upper * sinStart, lower * std::sin(band.start + band.width));
+    for (int step = 0; step < kMaxSteps; ++step) {
+        const SineMoments m = sineMoments(sinStart, cosStart, s);
+        const double error = upper * m.zeroth + slope * m.first - target;
+        (error > 0 ? high : low) = s;
+        const double linear = upper + slope * s;
+        const double density = linear * m.sinEnd, derivative = slope * m.sinEnd + linear * m.cosEnd;
+        // Far from the solution, beside a zero of the density, Halley's steps would shrink to
+        // nothing and look converged; Newton's grow instead, and leave the bracket.
+        const bool close = std::abs(error * derivative) < density * density;
+        double next = s - error / (density - (close ? 0.5 * error * derivative / density : 0.0));
+        if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+        const double moved = std::abs(next - s);
+        s = next;
+        if (moved <= kTolerance * band.width) break;
+    }
+    return s / band.width;
+}
+
+DVec3 directionOf(double theta, double phi) {
+    const double r = std::sin(theta);
+    return {r * std::sin(phi), std::cos(theta), -r * std::cos(phi)};
+}
+
+}  // namespace
+
+EnvironmentMap::EnvironmentMap(std::shared_ptr<const Image> image, Density density)
+    : image_(std::move(image)) {
+    GLINT_CHECK(image_ && image_->width > 0 && image_->height > 0);
+    const auto width = static_cast<std::size_t>(image_->width),
+               height = static_cast<std::size_t>(image_->height);
+    GLINT_CHECK(image_->rgb.size() == 3 * width * height);
+
+    blocksPerRow_ = (image_->width + kBlock - 1) / kBlock;
+    blocks_.resize(height * static_cast<std::size_t>(blocksPerRow_ + 1));
+    computeMean();
+    const auto build = [&](double threshold) {
+        threshold_ = threshold;
+        for (int y = 0; y < image_->height; ++y) buildBlocks(y);
+        buildBands();
+    };
+    const double mean = luminance(mean_);
+    build(density == Density::Compensated ? std::max(0.0, mean) : 0.0);
+    const double meanWeight = bands_.back() / (2.0 * image_->width);
+    if (threshold_ > 0 && meanWeight <= kConstantShare * mean) build(0);
+    if (bands_.back() > 0) pdfPerWeight_ = image_->width / (2 * kPi * bands_.back());
+}
+
+Rgb EnvironmentMap::texel(int x, int y) const {
+    const std::size_t index =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(image_->width) +
+        static_cast<std::size_t>(x);
+    const float* p = image_->rgb.data() + 3 * index;
+    return {p[0], p[1], p[2]};
+}
+
+double EnvironmentMap::weight(int x, int y) const {
+    const double y709 = luminance(texel(x, y));
+    // Written so that NaN gives 0.
+    return y709 > threshold_
+               ? std::min<double>(y709, std::numeric_limits<float>::max()) - threshold_
+               : 0.0;
+}
+
+void EnvironmentMap::computeMean() {
+    const int height = image_->height;
+    std::vector<double> rowWeights(static_cast<std::size_t>(height), 0.0);
+    for (int i = 0; i <= height; ++i) {
+        const Band band = bandOf(i, height);
+        const BandWeights w = bandWeights(band);
+        rowWeights[static_cast<std::size_t>(band.upper)] += w.upper;
+        rowWeights[static_cast<std::size_t>(band.lower)] += w.lower;
+    }
+    DVec3 sum(0.0);
+    for (int y = 0; y < height; ++y) {
+        DVec3 row(0.0);
+        for (int x = 0; x < image_->width; ++x) {
+            const Rgb c = texel(x, y);
+            if (isFinite(c)) row += toDouble(c);
+        }
+        sum += row * rowWeights[static_cast<std::size_t>(y)];
+    }
+    mean_ = toFloat(sum / (2.0 * image_->width));
+}
+
+void EnvironmentMap::buildBlocks(int y) {
+    std::size_t next = rowStart(y);
+    double before = 0;
+    const double first = weight(0, y);
+    double left = first;
+    for (int x = 0; x < image_->width; ++x) {
+        if (x % kBlock == 0) blocks_[next++] = before;
+        const double right = x + 1 < image_->width ? weight(x + 1, y) : first;
+        before += 0.5 * (left + right);
+        left = right;
+    }
+    blocks_[next] = before;
+}
+
+void EnvironmentMap::buildBands() {
+    const int height = image_->height;
+    bands_.assign(1, 0.0);
+    bands_.reserve(static_cast<std::size_t>(height) + 2);
+    for (int i = 0; i <= height; ++i) {
+        const Band band = bandOf(i, height);
+        const BandWeights w = bandWeights(band);
+        bands_.push_back(bands_.back() + w.upper * rowIntegral(band.upper) +
+                         w.lower * rowIntegral(band.lower));
+    }
+}
+
+EnvironmentMap::Place EnvironmentMap::placeOf(const DVec3& d) const {
+    const int width = image_->width, height = image_->height;
+    const double u = std::atan2(d.x, -d.z) * (0.5 / kPi) + 0.5;
+    const double v = std::atan2(std::sqrt(d.x * d.x + d.z * d.z), d.y) * (1 / kPi);
+    const double x = u * width - 0.5, y = v * height - 0.5;
+    const double column = std::floor(x), row = std::floor(y);
+    // Clamped on both sides, so that a direction that is not finite gives a wrong number and no
+    // more.
+    const int x0 = std::clamp(static_cast<int>(column), -1, width - 1);
+    const int y0 = std::clamp(static_cast<int>(row), -1, height - 1);
+    return {x0 < 0 ? width - 1 : x0,
+            x0 + 1 < width ? x0 + 1 : 0,
+            std::max(y0, 0),
+            std::min(y0 + 1, height - 1),
+            x - column,
+            y - row};
+}
+
+Rgb EnvironmentMap::radianceAt(const Place& p) const {
+    const float fx = static_cast<float>(p.fx), fy = static_cast<float>(p.fy);
+    const Rgb upper = texel(p.x0, p.y0) * (1 - fx) + texel(p.x1, p.y0) * fx;
+    const Rgb lower = texel(p.x0, p.y1) * (1 - fx) + texel(p.x1, p.y1) * fx;
+    return upper * (1 - fy) + lower * fy;
+}
+
+Rgb EnvironmentMap::radiance(const DVec3& direction) const {
+    return radianceAt(placeOf(direction));
+}
+
+EnvironmentLookup EnvironmentMap::evaluate(const DVec3& direction) const {
+    const Place p = placeOf(direction);
+    const double upper = weight(p.x0, p.y0) * (1 - p.fx) + weight(p.x1, p.y0) * p.fx;
+    const double lower = weight(p.x0, p.y1) * (1 - p.fx) + weight(p.x1, p.y1) * p.fx;
+    return {radianceAt(p), (upper * (1 - p.fy) + lower * p.fy) * pdfPerWeight_};
+}
+
+EnvironmentMap::Column EnvironmentMap::sampleColumn(double u, int y0, int y1, double fy) const {
+    const double* upper = blocks_.data() + rowStart(y0);
+    const double* lower = blocks_.data() + rowStart(y1);
+    const auto before = [&](int block) { return (1 - fy) * upper[block] + fy * lower[block]; };
+    const double target = u * before(blocksPerRow_);
+    int block = 0;
+    for (int count = blocksPerRow_;
+         count > 1;) {  // The last block that starts at or before the target, without branches.
+        const int half = count / 2;
+        block = before(block + half) <= target ? block + half : block;
+        count -= half;
+    }
+
+    const int width = image_->width, last = std::min((block + 1) * kBlock, width) - 1;
+    const auto blended = [&](int x) { return (1 - fy) * weight(x, y0) + fy * weight(x, y1); };
+    double sum = before(block), left = blended(block * kBlock);
+    for (int x = block * kBlock;; ++x) {
+        const int next = x + 1 < width ? x + 1 : 0;
+        const double right = blended(next), area = 0.5 * (left + right);
+        if (sum + area > target || x == last) {
+            const double share = area > 0 ? std::min(1.0, (target - sum) / area) : 0.0;
+            const double fx = invertLinear(share, left, right);
+            return {x, next, fx, (1 - fx) * left + fx * right};
+        }
+        sum += area;
+        left = right;
+    }
+}
+
+EnvironmentSample EnvironmentMap::sample(const Vec2& u) const {
+    if (pdfPerWeight_ == 0) return {};
+    const double target = static_cast<double>(u.y) * bands_.back();
+    const auto after = std::upper_bound(bands_.begin() + 1, bands_.end() - 1, target);
+    const auto index = static_cast<int>(after - bands_.begin()) - 1;
+    const Band band = bandOf(index, image_->height);
+    const double mass = *after - *(after - 1),
+                 share = std::clamp((target - *(after - 1)) / mass, 0.0, 1.0);
+    const double fy =
+        invertBand(band, rowIntegral(band.upper), rowIntegral(band.lower), share, mass);
+    const Column column = sampleColumn(static_cast<double>(u.x), band.upper, band.lower, fy);
+
+    EnvironmentSample out;
+    const double turn = (column.x0 + 0.5 + column.fx) / image_->width - 0.5;
+    out.direction = directionOf(band.start + fy * band.width, 2 * kPi * turn);
+    out.pdf = column.weight * pdfPerWeight_;
+    out.radiance = radianceAt({column.x0, column.x1, band.upper, band.lower, column.fx, fy});
+    return out;
+}
+
+}  // namespace glint

@@ -1,0 +1,22 @@
+// Every material. A new one is a file beside this and a word in the list.
+#pragma once
+
+#include "tracer/materials/diffuse.h"
+#include "tracer/materials/glass.h"
+#include "tracer/materials/glossy.h"
+#include "tracer/materials/metal.h"
+#include "tracer/materials/mirror.h"
+#include "tracer/materials/mix.h"
+#include "tracer/materials/phong.h"
+#include "tracer/materials/translucent.h"
+
+namespace glint {
+
+/// Every leaf that a material can compile to.
+using BsdfLeaf = std::variant<LambertBsdf, TranslucentBsdf, PhongBsdf, MirrorBsdf, GlassBsdf, ThinGlassBsdf, RefractBsdf,
+                              ClearBsdf, MetalBsdf, PolishedMetalBsdf, RoughGlassBsdf, RoughThinGlassBsdf, GlossyBsdf,
+                              PolishedGlossyBsdf>;
+
+using AllMaterials = TypeList<Diffuse, Mirror, Metal, Glass, Translucent, Glossy, Phong, Mix>;
+
+}  // namespace glint

@@ -1,0 +1,36 @@
+// Names for GLM's types. Geometry is double (DVec3), radiometry and sampling are float (Vec2, Vec3).
+#pragma once
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <limits>
+#include <numbers>
+
+namespace glint {
+
+using Vec2 = glm::vec2;
+using Vec3 = glm::vec3;
+using DVec2 = glm::dvec2;
+using DVec3 = glm::dvec3;
+using DMat3 = glm::dmat3;  ///< column-major: m[column][row]
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr float kPiF = std::numbers::pi_v<float>;
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+[[nodiscard]] inline double degreesToRadians(double degrees) { return degrees * (kPi / 180.0); }
+[[nodiscard]] inline double radiansToDegrees(double radians) { return radians * (180.0 / kPi); }
+[[nodiscard]] inline Vec3 toFloat(const DVec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+[[nodiscard]] inline DVec3 toDouble(const Vec3& v) { return {v.x, v.y, v.z}; }
+[[nodiscard]] inline bool isFinite(const DVec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+[[nodiscard]] inline bool isFinite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+[[nodiscard]] inline double maxComponent(const DVec3& v) { return std::max(v.x, std::max(v.y, v.z)); }
+[[nodiscard]] inline float maxComponent(const Vec3& v) { return std::max(v.x, std::max(v.y, v.z)); }
+
+}  // namespace glint

@@ -1,0 +1,73 @@
+// The contract between kernels (path.h, classic.h) and whoever runs them: one call renders one sample of one pixel.
+#pragma once
+
+#include <atomic>
+#include <span>
+#include <string_view>
+
+#include "tracer/compile/render_scene.h"
+#include "tracer/math/sobol.h"
+#include "tracer/render/pixel_filter.h"
+#include "tracer/render/render.h"
+
+namespace glint {
+
+/// Tells a kernel that its work is stale: the epoch has moved on from the one the work began in. Partner: Session::publish
+/// and whoever else bumps the epoch; relaxed, because nothing is read on the strength of it.
+struct CancelToken {
+    const std::atomic<std::uint64_t>* epoch = nullptr;  ///< null: never cancelled
+    std::uint64_t begun = 0;
+    [[nodiscard]] bool cancelled() const { return epoch && epoch->load(std::memory_order_relaxed) != begun; }
+};
+
+/// What one worker carries from sample to sample.
+struct KernelState {
+    const RenderScene& scene;
+    CancelToken cancel;
+    RayCounts rays;
+    bool cancelled = false;  ///< the last sample was given up: throw its value away
+
+    /// To be asked at every path vertex.
+    bool stop() {
+        if (cancel.cancelled()) cancelled = true;
+        return cancelled;
+    }
+};
+
+/// Radiance of sample number `sample` of pixel (x, y).
+using KernelFunction = Rgb (*)(KernelState& state, int x, int y, std::uint32_t sample);
+
+struct Kernel {
+    std::string_view name;
+    Integrator integrator = Integrator::Path;
+    Features features = 0;  ///< what it can trace
+    KernelFunction run = nullptr;
+};
+
+/// All kernels that are built.
+[[nodiscard]] std::span<const Kernel> allKernels();
+/// The smallest one that covers the scene.
+[[nodiscard]] const Kernel& chooseKernel(const RenderScene& scene);
+
+/// Block numbers of the sampler. A decision always uses the same block, whatever else a kernel skips, so that every kernel
+/// gives the same bits.
+enum class SampleUse : std::uint32_t { Camera = 0, Bsdf = 1, Light = 2 };
+[[nodiscard]] inline std::uint32_t sampleBlock(SampleUse use, int depth, std::uint32_t branch, std::uint32_t index = 0) {
+    return static_cast<std::uint32_t>(use) + 4 * index + 256 * static_cast<std::uint32_t>(depth) + (branch << 28);
+}
+
+/// The camera ray of a sample.
+template <Features F>
+[[nodiscard]] Ray cameraRay(const RenderScene& scene, const Sampler& sampler, int x, int y) {
+    const SampleBlock u = sampler.block(sampleBlock(SampleUse::Camera, 0, 0));
+    const FilmSettings& film = scene.film;
+    const double px = x + 0.5 + film.filterRadius * sampleFilter(film.filter, u.x);
+    const double py = y + 0.5 + film.filterRadius * sampleFilter(film.filter, u.y);
+    return scene.camera.ray(px, py, has(F, Feature::Lens) ? DVec2(u.z, u.w) : DVec2(0.0));
+}
+
+[[nodiscard]] inline Sampler samplerFor(const RenderScene& scene, int x, int y, std::uint32_t sample) {
+    return {static_cast<std::uint32_t>(scene.settings.seed), static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(scene.film.width) + static_cast<std::uint32_t>(x), sample};
+}
+
+}  // namespace glint

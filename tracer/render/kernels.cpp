@@ -1,0 +1,55 @@
+// The kernels that are built: each integrator for a few sets of features.
+#include "tracer/render/classic.h"
+#include "tracer/render/kernel.h"
+#include "tracer/render/path.h"
+
+#include <bit>
+
+#include "tracer/compile/compiler.h"
+
+namespace glint {
+
+namespace {
+
+template <class Tracer, Features F>
+Rgb runKernel(KernelState& state, int x, int y, std::uint32_t sample) {
+    const RenderScene& scene = state.scene;
+    const Sampler sampler = samplerFor(scene, x, y, sample);
+    state.cancelled = false;
+    Rgb value = Tracer(state, sampler).radiance(cameraRay<F>(scene, sampler, x, y));
+    if (const auto limit = static_cast<float>(scene.settings.clamp); limit > 0)
+        if (const float size = maxComponent(value); size > limit) value *= limit / size;
+    return value;
+}
+
+constexpr Features bits(auto... features) { return (static_cast<Features>(features) | ...); }
+
+constexpr Features kDiffuse = bits(Feature::Smooth, Feature::DeltaLights, Feature::AreaLights, Feature::Sky, Feature::SampledSky);
+constexpr Features kMirrors = kDiffuse | bits(Feature::Delta);
+constexpr Features kGlass = kMirrors | bits(Feature::Media);
+
+constexpr std::array kKernels = {
+    Kernel{"path: smooth", Integrator::Path, kDiffuse, runKernel<PathTracer<kDiffuse>, kDiffuse>},
+    Kernel{"path: mirrors", Integrator::Path, kMirrors, runKernel<PathTracer<kMirrors>, kMirrors>},
+    Kernel{"path: glass", Integrator::Path, kGlass, runKernel<PathTracer<kGlass>, kGlass>},
+    Kernel{"path: all", Integrator::Path, kAllFeatures, runKernel<PathTracer<kAllFeatures>, kAllFeatures>},
+    Kernel{"classic: all", Integrator::Classic, kAllFeatures, runKernel<ClassicTracer<kAllFeatures>, kAllFeatures>},
+};
+
+}  // namespace
+
+std::span<const Kernel> allKernels() { return kKernels; }
+
+const Kernel& chooseKernel(const RenderScene& scene) {
+    const Kernel* best = nullptr;
+    for (const Kernel& kernel : kKernels)
+        if (kernel.integrator == scene.settings.integrator && (scene.features & ~kernel.features) == 0 &&
+            (!best || std::popcount(kernel.features) < std::popcount(best->features)))
+            best = &kernel;
+    GLINT_CHECK(best != nullptr);
+    return *best;
+}
+
+std::string kernelName(const RenderScene& scene) { return std::string(chooseKernel(scene).name); }
+
+}  // namespace glint

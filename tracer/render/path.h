@@ -1,0 +1,248 @@
+// The `path` integrator: unidirectional path tracing with next-event estimation, multiple importance sampling by the balance
+// heuristic (Veach 1997, ch. 9) and Russian roulette. At the first smooth dielectric both ways are followed.
+// Start reading at radiance(). Instantiated in kernels.cpp for sets of features; what a set lacks is not compiled.
+#pragma once
+
+#include "tracer/render/shadow.h"
+
+namespace glint {
+
+/// How the two ways to one light share its contribution (Veach 1997, sec. 9.2). Tests put others in its place.
+/// Densities are per solid angle; that of the way taken is above 0.
+struct BalanceHeuristic {
+    static double lightWeight(double light, double bsdf) { return light / (light + bsdf); }
+    static double bsdfWeight(double bsdf, double light) { return bsdf / (light + bsdf); }
+};
+
+template <Features F, class Heuristic = BalanceHeuristic>
+class PathTracer {
+  public:
+    PathTracer(KernelState& state, const Sampler& sampler) : state_(state), scene_(state.scene), sampler_(sampler) {}
+
+    /// Radiance that arrives along a camera ray.
+    Rgb radiance(const Ray& cameraRay) {
+        Path first;
+        first.ray = cameraRay;
+        if constexpr (has(F, Feature::Media)) first.media = scene_.cameraMedia;
+        ++state_.rays.primary;
+        follow(first);
+        if constexpr (has(F, Feature::Delta)) {
+            if (splitPending_) {
+                splitPending_ = false;
+                follow(split_);
+            }
+        }
+        return sum_;
+    }
+
+  private:
+    /// A path under way.
+    struct Path {
+        Ray ray;
+        MediaStack media;
+        Rgb throughput{1.0f};
+        DVec3 from{0.0};          ///< last vertex at which the direction was drawn from a density ...
+        double pdf = 0;           ///< ... and that density; 0 after a delta event or at the camera: no other way leads there
+        float etaScale = 1;       ///< undoes the eta^2 of refractions for the roulette
+        int depth = 0;            ///< surface interactions so far
+        std::uint32_t branch = 0; ///< 1 behind a split, where the other way was taken
+        bool allLights = false;   ///< at `from` every light was sampled, not a chosen one
+        bool scattered = false;   ///< a smooth part has turned it
+        bool straightFromCamera = true;
+        bool maySplit = true;
+    };
+
+    static constexpr bool kSamplesLights = has(F, Feature::DeltaLights) || has(F, Feature::AreaLights) || has(F, Feature::SampledSky);
+    /// Up to this many lights, each is sampled at the first vertex with a smooth part.
+    static constexpr std::size_t kAllLights = 4;
+    /// Hidden boundaries count as no interaction; this many in a row mean a path caught in rounding.
+    static constexpr int kMaxHidden = 256;
+    static constexpr float kDim = 0.25f, kLeastChance = 0.05f;
+
+    void follow(Path path) {
+        int hidden = 0;
+        while (!state_.stop()) {
+            const ShapeHit hit = scene_.lists.closest(path.ray, path.media);
+            if constexpr (has(F, Feature::Media))
+                if (!path.media.empty()) path.throughput *= transmittance(mediumOf(scene_, fillingShape(scene_, path.media)), hit.t);
+            if (!hit.found()) return addSky(path);
+            const SurfacePoint point = surfacePoint(scene_, path.ray, hit, path.media);
+            if constexpr (has(F, Feature::Media)) {
+                if (point.hidden) {
+                    if (++hidden > kMaxHidden) return;
+                    path.ray = {point.position, path.ray.direction, point.shape, point.outside};
+                    path.media.cross(point.shape);
+                    path.pdf = 0;
+                    continue;
+                }
+            }
+            if constexpr (has(F, Feature::AreaLights)) addEmission(path, point);
+            if (path.depth >= scene_.settings.maxDepth || !scatter(path, point)) return;
+        }
+    }
+
+    /// Weight of light found by following the path to a light that next-event estimation, having chosen the light, would reach
+    /// with density lightDensity().
+    template <class Density>
+    [[nodiscard]] float foundWeight(const Path& path, std::uint32_t light, Density lightDensity) const {
+        if (!has(F, Feature::Smooth) || path.pdf == 0) return 1;
+        const double chosen = path.allLights ? 1.0 : scene_.lights.pickProbability(light);
+        return static_cast<float>(Heuristic::bsdfWeight(path.pdf, chosen * lightDensity()));
+    }
+    [[nodiscard]] float foundWeight(const Path& path, std::uint32_t light) const {
+        return foundWeight(path, light, [&] { return lightPdf(scene_.lights, scene_.shapes, light, path.from, path.ray.direction); });
+    }
+
+    void addSky(const Path& path) {
+        if constexpr (has(F, Feature::Sky)) {
+            const CompiledEnvironment& environment = scene_.lights.environment;
+            if (!environment.isBlack() && !(path.straightFromCamera && !environment.visibleToCamera))
+                sum_ += path.throughput * environment.scale * seenInSky(path, environment);
+            if constexpr (has(F, Feature::SampledSky))
+                for (const std::uint32_t sun : scene_.lights.sunDiscs)
+                    if (const CompiledLight& light = scene_.lights.lights[sun]; light.discHolds(path.ray.direction))
+                        sum_ += path.throughput * light.emission * foundWeight(path, sun);
+        }
+    }
+
+    [[nodiscard]] Rgb seenInSky(const Path& path, const CompiledEnvironment& environment) const {
+        if (!environment.map) return Rgb(1.0f);
+        const EnvironmentLookup seen = environment.map->evaluate(environment.mapFromWorld(path.ray.direction));
+        return seen.radiance * foundWeight(path, scene_.lights.environmentLight, [&] { return seen.pdf; });
+    }
+
+    void addEmission(const Path& path, const SurfacePoint& point) {
+        const std::uint32_t light = point.instance(scene_).light;
+        if (light == ~0u) return;
+        const CompiledLight& emitter = scene_.lights.lights[light];
+        if (point.outside || emitter.twoSided)
+            sum_ += path.throughput * emitter.emission * foundWeight(path, light);
+    }
+
+    /// One surface interaction: light from the sources, then the next direction. False: the path ends.
+    bool scatter(Path& path, const SurfacePoint& point) {
+        const CompiledMaterial& material = scene_.materials[point.instance(scene_).material];
+        Branches branches;
+        if constexpr (has(F, Feature::Delta))
+            if (material.hasDelta) branches = deltaBranches(material, point.wo, point.eta);
+        const float total = material.smoothAlbedo + branches.total;
+        if (!(total > 0)) return false;
+        const float smoothChance = material.smoothAlbedo / total;
+
+        if constexpr (has(F, Feature::Smooth) && kSamplesLights)
+            if (smoothChance > 0 && !scene_.lights.empty()) addDirect(path, point, material, smoothChance);
+        if constexpr (has(F, Feature::Delta)) {
+            if (path.maySplit && smoothChance == 0 && branches.count == 2) return takeBoth(path, point, branches);
+        }
+        const SampleBlock u = sampler_.block(sampleBlock(SampleUse::Bsdf, path.depth, path.branch));
+        const float choice = u.w * total;
+        if (!has(F, Feature::Delta) || choice < material.smoothAlbedo) {
+            if constexpr (has(F, Feature::Smooth)) {
+                const float leafChoice = std::min(choice / material.smoothAlbedo, 0x1.fffffep-1f);
+                const BsdfSample s = sampleSmooth(material, point.wo, {u.x, u.y, u.z}, leafChoice, point.eta);
+                if (!(s.pdf > 0)) return false;
+                path.throughput *= s.f * (std::abs(s.wi.z) / (s.pdf * smoothChance));
+                path.pdf = static_cast<double>(s.pdf) * smoothChance;
+                path.from = point.position;
+                path.allLights = sampleAll(path);
+                path.scattered = true;
+                leave(path, point, s.wi, false);
+            } else {
+                return false;
+            }
+        } else {
+            const DeltaBranch& branch = branches.pick(choice - material.smoothAlbedo);
+            path.throughput *= branch.weight * (total / Branches::size(branch));
+            takeBranch(path, point, branch);
+        }
+        return survives(path);
+    }
+
+    /// First dielectric: both ways, each with its whole weight, instead of a coin.
+    bool takeBoth(Path& path, const SurfacePoint& point, const Branches& branches) {
+        path.maySplit = false;
+        split_ = path;
+        split_.branch = 1;
+        split_.throughput *= branches.at[1].weight;
+        takeBranch(split_, point, branches.at[1]);
+        splitPending_ = survives(split_);
+        path.throughput *= branches.at[0].weight;
+        takeBranch(path, point, branches.at[0]);
+        return survives(path);
+    }
+
+    void takeBranch(Path& path, const SurfacePoint& point, const DeltaBranch& branch) {
+        if (branch.straight)
+            leave(path, point, branch.wi, true);
+        else {
+            path.pdf = 0;
+            path.etaScale /= branch.scale;
+            leave(path, point, branch.wi, false);
+        }
+    }
+
+    void leave(Path& path, const SurfacePoint& point, const Vec3& wi, bool straight) {
+        if constexpr (has(F, Feature::Media)) path.media = mediaBeyond<F>(scene_, point, path.media, wi);
+        path.ray = straight ? Ray{point.position, path.ray.direction, point.shape, wi.z < 0} : point.ray(wi);
+        path.straightFromCamera = path.straightFromCamera && straight;
+        ++path.depth;
+        ++state_.rays.scatter;
+    }
+
+    /// Russian roulette: paths that carry less than kDim go on with a chance in proportion to what they carry.
+    bool survives(Path& path) {
+        const float size = maxComponent(path.throughput) * path.etaScale;
+        if (!(size > 0)) return false;
+        if (path.depth < 2 || size >= kDim) return true;
+        const float chance = std::max(size / kDim, kLeastChance);
+        const SampleBlock u = sampler_.block(sampleBlock(SampleUse::Light, path.depth - 1, path.branch, 63));
+        if (u.x >= chance) return false;
+        path.throughput /= chance;
+        return true;
+    }
+
+    /// Every light at the first vertex with a smooth part, one chosen by power behind it.
+    [[nodiscard]] bool sampleAll(const Path& path) const {
+        return !path.scattered && scene_.lights.lights.size() <= kAllLights;
+    }
+
+    void addDirect(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance) {
+        if (sampleAll(path)) {
+            for (std::uint32_t i = 0; i < scene_.lights.lights.size(); ++i) {
+                const SampleBlock u = sampler_.block(sampleBlock(SampleUse::Light, path.depth, path.branch, i));
+                addLight(path, point, material, smoothChance, i, 1.0, {u.x, u.y});
+            }
+        } else {
+            const SampleBlock u = sampler_.block(sampleBlock(SampleUse::Light, path.depth, path.branch));
+            double chosen = 1;
+            const std::uint32_t light = scene_.lights.pick(u.z, chosen);
+            addLight(path, point, material, smoothChance, light, chosen, {u.x, u.y});
+        }
+    }
+
+    void addLight(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance,
+                  std::uint32_t light, double chosen, const DVec2& u) {
+        Ray from{point.position, point.frame.n, point.shape, !point.outside};
+        const LightSample s = sampleLight(scene_.lights, scene_.shapes, light, from, path.media, u);
+        if (!(s.pdf > 0) || isBlack(s.radiance)) return;
+        const Vec3 wi = toFloat(point.frame.toLocal(s.wi));
+        const BsdfSample f = evalSmooth(material, point.wo, wi, point.eta);
+        if (isBlack(f.f)) return;
+        const Ray ray{point.position, s.wi, point.shape, wi.z < 0};
+        const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(scene_, point, path.media, wi), s.distance, s.shape,
+                                                 scene_.settings.maxDepth - path.depth - 1, false);
+        if (isBlack(share)) return;
+        const double density = chosen * s.pdf;
+        const double weight = scene_.lights.lights[light].isDelta() ? 1.0 : Heuristic::lightWeight(density, static_cast<double>(f.pdf) * smoothChance);
+        sum_ += path.throughput * f.f * s.radiance * share * static_cast<float>(weight * std::abs(wi.z) / density);
+    }
+
+    KernelState& state_;
+    const RenderScene& scene_;
+    const Sampler& sampler_;
+    Rgb sum_{0.0f};
+    Path split_;
+    bool splitPending_ = false;
+};
+
+}  // namespace glint

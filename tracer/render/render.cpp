@@ -1,0 +1,117 @@
+#include "tracer/render/render.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "tracer/render/scheduler.h"
+
+namespace glint {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Runs the passes of one render on the calling thread and reports.
+class HeadlessRender {
+  public:
+    HeadlessRender(const RenderScene& scene, const RenderRequest& request)
+        : scene_(scene),
+          request_(request),
+          pool_(request.threads > 0 ? request.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
+          film_(scene.film.width, scene.film.height) {}
+
+    Rendering run() {
+        flushDenormals();
+        Scheduler scheduler(pool_);
+        // A request to stop and the end of the time are an epoch that moves; a thread of its own watches for them.
+        std::jthread watcher;
+        if (request_.stop || scene_.settings.timeSeconds > 0)
+            watcher = std::jthread([this](const std::stop_token& end) { watch(end); });
+        const PixelRect all{0, 0, scene_.film.width, scene_.film.height};
+        const PixelRect rect = request_.crop.value_or(all);
+        const int target = scene_.settings.spp;
+        int done = 0;
+        bool complete = true;
+        while (complete && done < target && !timeIsUp()) {
+            const int next = std::min(target, nextCount(done));
+            complete = scheduler.renderPass(scene_, film_, rect, 1, static_cast<std::uint32_t>(next), {&epoch_, 0}, counts_);
+            if (complete) done = next;
+            everyPixelHasASample_.store(done > 0, std::memory_order_relaxed);
+            report(done, target);
+        }
+        return finish(done, !complete && !timeIsUp());
+    }
+
+  private:
+    [[nodiscard]] bool timeIsUp() const {
+        return scene_.settings.timeSeconds > 0 && secondsSince(start_) >= scene_.settings.timeSeconds;
+    }
+
+    /// Raises the epoch when the caller asks to stop or the time is up.
+    void watch(const std::stop_token& end) {
+        while (!end.stop_requested()) {
+            const bool asked = request_.stop && request_.stop->load(std::memory_order_relaxed);
+            if (asked || (timeIsUp() && everyPixelHasASample_.load(std::memory_order_relaxed)))
+                epoch_.store(1, std::memory_order_relaxed);
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+    }
+
+    /// Passes grow from one sample, so that there is something to show early, to about half a second of work.
+    [[nodiscard]] int nextCount(int done) const {
+        if (done == 0) return 1;
+        const double perSample = secondsSince(start_) / done;
+        double budget = 0.5;
+        if (scene_.settings.timeSeconds > 0)
+            budget = std::min(budget, std::max(0.0, (scene_.settings.timeSeconds - secondsSince(start_)) * 0.5));
+        const int byTime = static_cast<int>(std::min(1e6, budget / perSample));
+        return done + std::clamp(byTime, 1, std::max(1, done));
+    }
+
+    void report(int done, int target) const {
+        if (!request_.progress) return;
+        const double seconds = secondsSince(start_);
+        double fraction = static_cast<double>(done) / target;
+        if (scene_.settings.timeSeconds > 0) fraction = std::max(fraction, seconds / scene_.settings.timeSeconds);
+        fraction = std::min(fraction, 1.0);
+        request_.progress({done, target, seconds, fraction > 0 ? seconds / fraction - seconds : 0, fraction});
+    }
+
+    Rendering finish(int done, bool interrupted) {
+        Rendering out;
+        out.beauty = film_.image();
+        out.spp = done;
+        out.threads = pool_.threads();
+        out.seconds = secondsSince(start_);
+        out.rays = counts_.rays;
+        out.nonfiniteSamples = counts_.nonfinite;
+        out.firstNonfinite = counts_.firstNonfinite;
+        out.interrupted = interrupted;
+        return out;
+    }
+
+    const RenderScene& scene_;
+    const RenderRequest& request_;
+    Clock::time_point start_ = Clock::now();
+    WorkerPool pool_;
+    Film film_;
+    RenderCounts counts_;
+    std::atomic<std::uint64_t> epoch_{0};  ///< moved by watch(); partner: the workers' CancelToken, relaxed
+    std::atomic<bool> everyPixelHasASample_{false};  ///< partner: watch(), relaxed
+};
+
+}  // namespace
+
+Rendering render(const std::shared_ptr<const RenderScene>& scene, const RenderRequest& request) {
+    return HeadlessRender(*scene, request).run();
+}
+
+Rgb renderSample(const RenderScene& scene, const SamplePlace& place) {
+    KernelState state{scene, {}, {}, false};
+    return chooseKernel(scene).run(state, place.x, place.y, static_cast<std::uint32_t>(place.sample));
+}
+
+}  // namespace glint

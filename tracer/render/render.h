@@ -1,0 +1,69 @@
+// Headless rendering: one compiled scene to one picture, on threads of its own. For glint-render, tests and benches; the
+// editor's living render is session.h.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tracer/io/image_file.h"
+#include "tracer/scene/scene.h"
+
+namespace glint {
+
+struct RenderScene;
+
+/// A rectangle of pixels; pixels outside it stay black.
+struct PixelRect {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool operator==(const PixelRect&) const = default;
+};
+
+/// Rays traced, by kind.
+struct RayCounts {
+    std::uint64_t primary = 0, shadow = 0, scatter = 0;
+    [[nodiscard]] std::uint64_t total() const { return primary + shadow + scatter; }
+};
+
+/// The sample that shows a fault again: `glint-render SCENE --pixel x,y,sample`.
+struct SamplePlace {
+    int x = 0, y = 0, sample = 0;
+};
+
+struct RenderProgress {
+    int spp = 0, sppTarget = 0;
+    double seconds = 0;
+    double remainingSeconds = 0;
+    double fraction = 0;  ///< of the work, 0 to 1
+};
+
+struct RenderRequest {
+    int threads = 0;                  ///< 0: as many as the machine has processors
+    std::optional<PixelRect> crop;    ///< in film pixels
+    const std::atomic<bool>* stop = nullptr;  ///< set it to end at the next path vertex; what is there is kept
+    std::function<void(const RenderProgress&)> progress;  ///< called a few times a second on the calling thread
+};
+
+struct Rendering {
+    Image beauty;  ///< film size, mean of the samples
+    int spp = 0;   ///< samples that every pixel has
+    int threads = 0;
+    double seconds = 0;
+    RayCounts rays;
+    std::uint64_t nonfiniteSamples = 0;
+    std::optional<SamplePlace> firstNonfinite;
+    bool interrupted = false;
+};
+
+/// Renders until the scene's own stop rule (samples, time) is met. Bit-identical for every number of threads.
+[[nodiscard]] Rendering render(const std::shared_ptr<const RenderScene>& scene, const RenderRequest& request);
+
+/// The value of one sample of one pixel, as the render computes it.
+[[nodiscard]] Rgb renderSample(const RenderScene& scene, const SamplePlace& place);
+
+}  // namespace glint

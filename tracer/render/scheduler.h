@@ -1,0 +1,35 @@
+// Scheduler: renders passes over a film in tiles of 16 x 16, on a worker pool. Knows nothing of stop rules or display.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tracer/render/film.h"
+#include "tracer/render/kernel.h"
+#include "tracer/render/worker_pool.h"
+
+namespace glint {
+
+/// What was done so far on one film.
+struct RenderCounts {
+    RayCounts rays;
+    std::uint64_t nonfinite = 0;  ///< samples that were not finite: counted as black
+    std::optional<SamplePlace> firstNonfinite;
+};
+
+class Scheduler {
+  public:
+    static constexpr int kTile = 16;
+
+    explicit Scheduler(WorkerPool& pool) : pool_(pool) {}
+
+    /// Brings every pixel of `rect` whose x and y are multiples of `stride` to at least `samples` samples. Returns false when
+    /// cancelled; finished samples stay, and the same call later goes on where it ended.
+    bool renderPass(const RenderScene& scene, Film& film, const PixelRect& rect, int stride, std::uint32_t samples,
+                    const CancelToken& cancel, RenderCounts& counts);
+
+  private:
+    WorkerPool& pool_;
+};
+
+}  // namespace glint

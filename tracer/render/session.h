@@ -1,0 +1,70 @@
+// Session: the living render behind a viewport. Any thread publishes scenes and view settings; a coordinator thread compiles
+// the newest, drops stale work, lets workers render passes and hands finished frames out. Nothing here makes the
+// publishing thread wait. Start at publish(); the passes are in scheduler.h.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tracer/base/result.h"
+#include "tracer/color/display.h"
+#include "tracer/scene/scene.h"
+
+namespace glint {
+
+struct RenderScene;
+
+/// How the picture is shown. Changing anything but the size never restarts the render.
+struct ViewSettings {
+    int width = 0, height = 0;  ///< of the picture in pixels; 0: nothing is rendered
+    DisplaySettings display;
+    bool paused = false;
+    bool operator==(const ViewSettings&) const = default;
+};
+
+enum class SessionState { Idle, Rendering, Paused, Converged };
+
+/// A picture ready to be shown, with what is known about it.
+struct SessionFrame {
+    std::uint64_t revision = 0;  ///< number of the publish(scene) that it shows
+    int width = 0, height = 0;
+    std::vector<std::uint32_t> pixels;  ///< 0xffRRGGBB, height x width, row-major, top row first
+    SessionState state = SessionState::Idle;
+    int spp = 0;          ///< samples that every pixel has; 0 while the first pass refines
+    int sppTarget = 0;
+    double seconds = 0;   ///< spent on this picture
+    double raysPerSecond = 0;
+    std::uint64_t nonfiniteSamples = 0;
+    std::string kernel;                 ///< name of the kernel in use
+    std::vector<std::string> features;  ///< what the scene holds
+    std::vector<Error> warnings;        ///< parts of the scene that are missing or not built yet
+    std::shared_ptr<const RenderScene> scene;  ///< for picking: see pick.h
+};
+
+class Session {
+  public:
+    /// Starts `threads` workers (at least 1) and the coordinator. `onFrame` is called on the coordinator's thread whenever a
+    /// new frame can be taken; it must not block.
+    explicit Session(int threads, std::function<void()> onFrame = {});
+    /// Stops at the next path vertex and joins all threads.
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    /// Shows `scene` from now on; files it names are relative to `assetFolder`. Returns the revision its frames carry.
+    std::uint64_t publish(Scene scene, std::filesystem::path assetFolder);
+    void publish(const ViewSettings& view);
+
+    /// The newest frame if there is one that was not taken yet, else null. It belongs to the caller until the next take().
+    [[nodiscard]] const SessionFrame* take();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glint

@@ -1,0 +1,52 @@
+// Shadow rays: how much light arrives from a point or a direction, through whatever lets it pass unbent.
+#pragma once
+
+#include "tracer/render/kernel.h"
+#include "tracer/render/scattering.h"
+
+namespace glint {
+
+/// The media of a ray that leaves `point` in the local direction `wi`.
+template <Features F>
+[[nodiscard]] MediaStack mediaBeyond(const RenderScene& scene, const SurfacePoint& point, const MediaStack& media, const Vec3& wi) {
+    MediaStack out = media;
+    if constexpr (has(F, Feature::Media))
+        if (point.instance(scene).dielectric && (wi.z > 0) != point.outside) out.cross(point.shape);
+    return out;
+}
+
+/// Share of light that comes along `ray` from `tMax` metres away. `light` does not shadow itself. At most `passes` surfaces
+/// may be gone through. With `tinted`, dielectrics let light pass unbent and only absorb (classic's transparent shadows).
+template <Features F>
+[[nodiscard]] Rgb shadowTransmittance(KernelState& state, Ray ray, MediaStack media, double tMax, std::uint32_t light, int passes, bool tinted) {
+    const RenderScene& scene = state.scene;
+    Rgb share(1.0f);
+    ++state.rays.shadow;
+    if (!has(F, Feature::Straight) && !tinted) {
+        if (scene.lists.occluded(ray, media, tMax, light)) return Rgb(0.0f);
+        if constexpr (has(F, Feature::Media)) share = transmittance(mediumOf(scene, fillingShape(scene, media)), tMax);
+        return share;
+    }
+    while (true) {
+        const ShapeHit hit = scene.lists.closest(ray, media, tMax);
+        const bool arrived = !hit.found() || hit.shape == light;
+        if constexpr (has(F, Feature::Media))
+            share *= transmittance(mediumOf(scene, fillingShape(scene, media)), arrived ? tMax : hit.t);
+        if (arrived || isBlack(share)) return share;
+        const SurfacePoint point = surfacePoint(scene, ray, hit, media);
+        const ShapeInstance& instance = scene.shapes[hit.shape];
+        const bool tints = tinted && instance.dielectric;
+        if (!tints) {
+            if (passes-- <= 0) return Rgb(0.0f);
+            const CompiledMaterial& material = scene.materials[instance.material];
+            if (isBlack(material.straight) || point.hidden) return Rgb(0.0f);
+            share *= straightWeight(material, point.wo, point.eta);
+            if (isBlack(share)) return share;
+        }
+        if (instance.dielectric) media.cross(hit.shape);
+        tMax -= hit.t;
+        ray = {point.position, ray.direction, hit.shape, point.outside};
+    }
+}
+
+}  // namespace glint

@@ -1,0 +1,77 @@
+// The surface where a ray ends: place, frame, material, and which media meet there.
+#pragma once
+
+#include "tracer/compile/render_scene.h"
+#include "tracer/math/frame.h"
+
+namespace glint {
+
+inline constexpr Medium kVacuum{};
+
+/// The shape whose medium fills the place: the highest priority, of equals the one entered last; kNoShape outside all.
+[[nodiscard]] inline std::uint32_t fillingShape(const RenderScene& scene, const MediaStack& media) {
+    std::uint32_t best = kNoShape;
+    int priority = 0;
+    for (int i = 0; i < media.size(); ++i) {
+        const int p = scene.materials[scene.shapes[media[i]].material].medium.priority;
+        if (best == kNoShape || p >= priority) best = media[i], priority = p;
+    }
+    return best;
+}
+[[nodiscard]] inline const Medium& mediumOf(const RenderScene& scene, std::uint32_t shape) {
+    return shape == kNoShape ? kVacuum : scene.materials[scene.shapes[shape].material].medium;
+}
+
+/// Share of light left after `distance` metres: exp(-absorption * distance), also where that is infinite.
+[[nodiscard]] inline Rgb transmittance(const Medium& medium, double distance) {
+    const auto channel = [distance](float a) { return a > 0 ? static_cast<float>(std::exp(-a * distance)) : 1.0f; };
+    return {channel(medium.absorption.x), channel(medium.absorption.y), channel(medium.absorption.z)};
+}
+
+struct SurfacePoint {
+    DVec3 position{0.0};  ///< on the surface, in render space
+    Frame frame;          ///< z along the outward normal
+    Vec3 wo{0.0f};        ///< local, towards where the ray came from
+    std::uint32_t shape = kNoShape;
+    bool outside = true;  ///< the ray came from the outward side
+    float eta = 1;        ///< index on wo's side over the other side
+    bool hidden = false;  ///< the boundary of a dielectric inside one of higher priority: there is nothing to see
+
+    [[nodiscard]] const ShapeInstance& instance(const RenderScene& scene) const { return scene.shapes[shape]; }
+    /// A ray that starts here in the local direction `wi`.
+    [[nodiscard]] Ray ray(const Vec3& wi) const { return {position, glm::normalize(frame.toWorld(wi)), shape, wi.z < 0}; }
+};
+
+/// The point hit by `ray`, which is in `media`. The hit is put back onto the surface in local space, so its error is a few
+/// roundings of the shape's own size however far the ray came.
+[[nodiscard]] inline SurfacePoint surfacePoint(const RenderScene& scene, const Ray& ray, const ShapeHit& hit, const MediaStack& media) {
+    const ShapeInstance& instance = scene.shapes[hit.shape];
+    SurfacePoint out;
+    out.shape = hit.shape;
+    const DVec3 raw = instance.localPoint(ray.origin) + hit.t * instance.localVector(ray.direction);
+    DVec3 local, localNormal;
+    std::visit(
+        [&](const auto& shape) {
+            local = shape.project(raw, hit.face);
+            localNormal = shape.normal(local, hit.face);
+        },
+        instance.shape);
+    out.position = instance.center + instance.worldFromLocal * local;
+    out.frame = Frame(glm::normalize(localNormal * instance.localFromWorld));  // (M^-1)^T n
+    DVec3 wo = out.frame.toLocal(-ray.direction);
+    out.outside = wo.z > 0;
+    if (instance.dielectric) {
+        // The tracked side is the truth; at grazing angles rounding may have put the direction on the other.
+        out.outside = !media.contains(hit.shape);
+        if (out.outside != (wo.z > 0)) wo.z = -wo.z;
+        MediaStack beyond = media;
+        beyond.cross(hit.shape);
+        const std::uint32_t here = fillingShape(scene, media), there = fillingShape(scene, beyond);
+        out.hidden = here == there;
+        out.eta = mediumOf(scene, here).ior / mediumOf(scene, there).ior;
+    }
+    out.wo = toFloat(wo);
+    return out;
+}
+
+}  // namespace glint

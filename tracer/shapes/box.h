@@ -1,0 +1,122 @@
+// Box. Canonical form: the cube [-1,1]^3. Faces: 2 * axis + (1 on the positive side).
+#pragma once
+
+#include <array>
+
+#include "tracer/base/reflect.h"
+#include "tracer/shapes/crossing.h"
+#include "tracer/shapes/spherical_quad.h"
+
+namespace glint {
+
+struct CanonicalBox {
+    static constexpr bool closed = true, convex = true;
+
+    /// Slabs. A ray within a slab's bounding plane counts as inside that slab, so no 0 * infinity arises.
+    [[nodiscard]] Span span(const DVec3& o, const DVec3& d) const {
+        Span out{-kInfinity, kInfinity};
+        for (int axis = 0; axis < 3; ++axis) {
+            if (d[axis] == 0) {
+                if (std::abs(o[axis]) > 1) return {};
+                continue;
+            }
+            const bool up = d[axis] > 0;
+            const double enter = ((up ? -1.0 : 1.0) - o[axis]) / d[axis], leave = ((up ? 1.0 : -1.0) - o[axis]) / d[axis];
+            if (enter > out.t0) out.t0 = enter, out.face0 = 2 * axis + (up ? 0 : 1);
+            if (leave < out.t1) out.t1 = leave, out.face1 = 2 * axis + (up ? 1 : 0);
+        }
+        return out;
+    }
+    [[nodiscard]] Crossing first(const DVec3& o, const DVec3& d, Start start) const {
+        return firstCrossing(*this, o, d, start);
+    }
+    [[nodiscard]] bool inside(const DVec3& p) const {
+        return std::abs(p.x) < 1 && std::abs(p.y) < 1 && std::abs(p.z) < 1;
+    }
+    [[nodiscard]] int nearestFace(const DVec3& p) const {
+        const DVec3 a = glm::abs(p);
+        const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+        return 2 * axis + (p[axis] > 0 ? 1 : 0);
+    }
+    [[nodiscard]] DVec3 project(const DVec3& p, int face) const {
+        DVec3 q = glm::clamp(p, DVec3(-1.0), DVec3(1.0));
+        q[face / 2] = face % 2 ? 1.0 : -1.0;
+        return q;
+    }
+    [[nodiscard]] DVec3 normal(const DVec3&, int face) const {
+        DVec3 n(0.0);
+        n[face / 2] = face % 2 ? 1.0 : -1.0;
+        return n;
+    }
+    /// Each face has the whole square: u and v along the two axes that follow the face's own, in the order x y z x y.
+    [[nodiscard]] DVec2 uv(const DVec3& p, int face) const {
+        const int axis = face / 2;
+        return {(p[(axis + 1) % 3] + 1) / 2, (p[(axis + 2) % 3] + 1) / 2};
+    }
+
+    /// From outside: the faces in view, by solid angle. From inside: all directions.
+    [[nodiscard]] DirectionSample sampleDirection(const DVec3& o, const DVec2& u) const {
+        const Visible visible(o);
+        if (visible.count == 0) return {uniformSphere(u), kUniformSpherePdf};
+        double pick = u.x * visible.total;
+        std::size_t i = 0;
+        while (i + 1 < visible.count && pick >= visible.solidAngle[i]) pick -= visible.solidAngle[i++];
+        const double share = visible.solidAngle[i];
+        if (!(share > 0)) return {};
+        DirectionSample s = visible.quad(i).sample({std::clamp(pick / share, 0.0, 1.0), u.y});
+        const int axis = visible.axis[i];
+        DVec3 direction;
+        direction[(axis + 1) % 3] = s.direction.x;
+        direction[(axis + 2) % 3] = s.direction.y;
+        direction[axis] = s.direction.z;
+        return {direction, s.pdf * share / visible.total};
+    }
+    [[nodiscard]] double pdfDirection(const DVec3& o, const DVec3& d) const {
+        const Visible visible(o);
+        if (visible.count == 0) return kUniformSpherePdf;
+        const int face = span(o, d).face0;
+        for (std::size_t i = 0; i < visible.count; ++i) {
+            const int axis = visible.axis[i];
+            if (axis != face / 2 || !(visible.solidAngle[i] > 0)) continue;
+            const DVec3 turned(d[(axis + 1) % 3], d[(axis + 2) % 3], d[axis]);
+            return visible.quad(i).pdf(turned) * visible.solidAngle[i] / visible.total;
+        }
+        return 0;
+    }
+
+  private:
+    /// The at most three faces that a point outside can see.
+    struct Visible {
+        explicit Visible(const DVec3& o) : origin(o) {
+            for (int a = 0; a < 3; ++a) {
+                if (!(std::abs(o[a]) > 1)) continue;
+                axis[count] = a;
+                solidAngle[count] = quad(count).solidAngle();
+                total += solidAngle[count++];
+            }
+        }
+        [[nodiscard]] SphericalQuad quad(std::size_t i) const {
+            const int a = axis[i], b = (a + 1) % 3, c = (a + 2) % 3;
+            return {-1 - origin[b], -1 - origin[c], 1 - origin[b], 1 - origin[c], std::copysign(1.0, origin[a]) - origin[a]};
+        }
+        DVec3 origin;
+        std::array<int, 3> axis{};
+        std::array<double, 3> solidAngle{};
+        std::size_t count = 0;
+        double total = 0;
+    };
+};
+
+struct Box {
+    DVec3 size{1, 1, 1};
+
+    bool operator==(const Box&) const = default;
+    static constexpr std::string_view kind = "box";
+    static constexpr auto fields() {
+        return std::tuple{Field{"size", &Box::size, {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Lengths along x, y and z"}}};
+    }
+    [[nodiscard]] DVec3 halfExtents() const { return size / 2.0; }
+    [[nodiscard]] CanonicalBox canonical() const { return {}; }
+};
+
+}  // namespace glint

@@ -1,0 +1,53 @@
+// Sphere. Canonical form: unit sphere at the origin.
+#pragma once
+
+#include "tracer/base/reflect.h"
+#include "tracer/math/warp.h"
+#include "tracer/shapes/crossing.h"
+
+namespace glint {
+
+/// The unit sphere.
+struct CanonicalSphere {
+    static constexpr bool closed = true, convex = true;
+
+    /// Perpendicular discriminant (Haines et al., Ray Tracing Gems, ch. 7). `d` need not have unit length.
+    [[nodiscard]] Span span(const DVec3& o, const DVec3& d) const {
+        const double a = glm::dot(d, d), b = -glm::dot(o, d), c = glm::dot(o, o) - 1;
+        const DVec3 f = o + (b / a) * d;
+        const double discriminant = 1 - glm::dot(f, f);
+        if (!(discriminant >= 0)) return {};
+        const double q = b + std::copysign(std::sqrt(a * discriminant), b);
+        const double far = q / a, near = q == 0 ? far : c / q;
+        return near < far ? Span{near, far} : Span{far, near};
+    }
+    [[nodiscard]] Crossing first(const DVec3& o, const DVec3& d, Start start) const {
+        return firstCrossing(*this, o, d, start);
+    }
+    [[nodiscard]] bool inside(const DVec3& p) const { return glm::dot(p, p) < 1; }
+    [[nodiscard]] int nearestFace(const DVec3&) const { return 0; }
+    [[nodiscard]] DVec3 project(const DVec3& p, int) const { return p / glm::length(p); }
+    [[nodiscard]] DVec3 normal(const DVec3& p, int) const { return p; }
+    /// u: once round the y axis, 1/2 at +z and the seam at -z; v: angle from +y over pi.
+    [[nodiscard]] DVec2 uv(const DVec3& p, int) const {
+        return {std::atan2(p.x, p.z) / (2 * kPi) + 0.5, std::acos(std::clamp(p.y, -1.0, 1.0)) / kPi};
+    }
+    [[nodiscard]] DirectionSample sampleDirection(const DVec3& o, const DVec2& u) const {
+        return sampleSphereDirection(-o, 1.0, u);
+    }
+    [[nodiscard]] double pdfDirection(const DVec3& o, const DVec3&) const { return sphereDirectionPdf(-o, 1.0); }
+};
+
+struct Sphere {
+    double radius = 1;
+
+    bool operator==(const Sphere&) const = default;
+    static constexpr std::string_view kind = "sphere";
+    static constexpr auto fields() {
+        return std::tuple{Field{"radius", &Sphere::radius, {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Radius"}}};
+    }
+    [[nodiscard]] DVec3 halfExtents() const { return DVec3(radius); }
+    [[nodiscard]] CanonicalSphere canonical() const { return {}; }
+};
+
+}  // namespace glint
