@@ -22,7 +22,8 @@ core_packages=(
     libcli11-dev          # command lines
     libgtest-dev          # tests
     libgmock-dev          # tests: matchers
-    libbenchmark-dev      # glint-bench
+    libembree-dev         # glint-bench: what our rays are measured against
+    openimageio-tools     # tests: layers as other programs read them
 )
 gui_packages=(
     qt6-base-dev          # the window

@@ -1,5 +1,5 @@
-// T12, T13, T14: the filtered lists give what shape after shape gives; nearest hit and any hit agree to the last bit; rays that
-// are no rays miss.
+// T12, T13, T14: the filtered lists give what shape after shape gives; nearest hit and any hit
+// agree to the last bit; rays that are no rays miss.
 #include <gtest/gtest.h>
 
 #include "tests/support/world.h"
@@ -17,7 +17,8 @@ std::vector<ShapeInstance> randomShapes(Random& random, int count, double spread
         if (std::holds_alternative<CanonicalPlane>(shape) && random.next() % 8) continue;
         const double size = random.logUniform(0.01, 2);
         const bool ball = random.next() % 2 == 0;
-        out.push_back(makeInstance(shape, ball ? DMat3(size) : randomLinear(random) * size, random.inCube(spread)));
+        out.push_back(makeInstance(shape, ball ? DMat3(size) : randomLinear(random) * size,
+                                   random.inCube(spread)));
     }
     return out;
 }
@@ -26,7 +27,8 @@ std::vector<ShapeInstance> randomShapes(Random& random, int count, double spread
 ShapeHit bruteForce(const World& world, const Ray& ray, const MediaStack& media) {
     ShapeHit best;
     for (std::uint32_t i = 0; i < world.scene.shapes.size(); ++i)
-        if (const Crossing c = hitShape(world.scene.shapes[i], i, ray, media); c.t < best.t) best = {c.t, i, c.face};
+        if (const Crossing c = hitShape(world.scene.shapes[i], i, ray, media); c.t < best.t)
+            best = {c.t, i, c.face};
     return best;
 }
 
@@ -44,24 +46,33 @@ Tally askBothQuestions(std::uint64_t count, int shapes, bool dielectric) {
                 media = {};
             }
             tally.checks += 3;
-            const ShapeHit hit = world.scene.lists.closest(ray, media), slow = bruteForce(world, ray, media);
-            // A ball needs no matrix in the lists, so its t may differ by roundings of the numbers that go into it.
+            const ShapeHit hit = world.scene.lists.closest(ray, media),
+                           slow = bruteForce(world, ray, media);
+            // A ball needs no matrix in the lists, so its t may differ by roundings of the numbers
+            // that go into it.
             const double band = 1e-13 * (glm::length(ray.origin) + 10 + (hit.found() ? hit.t : 0));
             if (hit.found() != slow.found() || (hit.found() && std::abs(hit.t - slow.t) > band))
-                tally.fail("lists differ from shape after shape: " + replay(world.scene.shapes[slow.found() ? slow.shape : hit.shape], ray));
+                tally.fail("lists differ from shape after shape: " +
+                           replay(world.scene.shapes[slow.found() ? slow.shape : hit.shape], ray));
             if (!hit.found()) {
-                if (world.scene.lists.occluded(ray, media, kInfinity, kNoShape)) tally.fail("occluded without a hit: " + replay(world.scene.shapes[0], ray));
+                if (world.scene.lists.occluded(ray, media, kInfinity, kNoShape))
+                    tally.fail("occluded without a hit: " + replay(world.scene.shapes[0], ray));
                 i |= 7;
                 continue;
             }
             const ShapeInstance& shape = world.scene.shapes[hit.shape];
             // Workers take denormals for 0, so the next number above 0 is the smallest normal one.
-            const double justBehind = std::max(std::nextafter(hit.t, kInfinity), std::numeric_limits<double>::min());
-            if (!world.scene.lists.occluded(ray, media, justBehind, kNoShape)) tally.fail("seen but not in the way: " + replay(shape, ray));
-            // A boundary that is left may lie before the entry that was given for it, by roundings (hitOrder).
-            const double place = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z);
+            const double justBehind =
+                std::max(std::nextafter(hit.t, kInfinity), std::numeric_limits<double>::min());
+            if (!world.scene.lists.occluded(ray, media, justBehind, kNoShape))
+                tally.fail("seen but not in the way: " + replay(shape, ray));
+            // A boundary that is left may lie before the entry that was given for it, by roundings
+            // (hitOrder).
+            const double place =
+                std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z);
             const double justBefore = dielectric ? hit.t - 0x1p-47 * (hit.t + place) : hit.t;
-            if (world.scene.lists.occluded(ray, media, justBefore, kNoShape)) tally.fail("something nearer than the nearest: " + replay(shape, ray));
+            if (world.scene.lists.occluded(ray, media, justBefore, kNoShape))
+                tally.fail("something nearer than the nearest: " + replay(shape, ray));
             const SurfacePoint point = world.point(ray, hit, media);
             const bool through = dielectric && random.next() % 2 == 0;
             Vec3 wi = randomUp(random);
@@ -77,7 +88,8 @@ void expectAgreement(std::uint64_t count) {
     for (const int shapes : {1, 6, 30, 300})
         for (const bool dielectric : {false, true}) {
             const Tally tally = askBothQuestions(count, shapes, dielectric);
-            tally.print((std::to_string(shapes) + (dielectric ? " glass shapes" : " opaque shapes")).c_str());
+            tally.print((std::to_string(shapes) + (dielectric ? " glass shapes" : " opaque shapes"))
+                            .c_str());
             EXPECT_EQ(tally.failures, 0u) << tally.first;
         }
 }
@@ -93,7 +105,8 @@ TEST(AnyHit, RaysThatAreNoRaysMiss) {
         const World world(randomShapes(random, shapes, 4));
         for (int i = 0; i < 2000; ++i) {
             Ray ray{random.inCube(5), random.direction()};
-            (i % 2 ? ray.origin : ray.direction)[static_cast<int>(random.next() % 3)] = strange[random.next() % std::size(strange)];
+            (i % 2 ? ray.origin : ray.direction)[static_cast<int>(random.next() % 3)] =
+                strange[random.next() % std::size(strange)];
             if (i % 16 == 0) ray.direction = DVec3(0.0);
             const ShapeHit hit = world.scene.lists.closest(ray, {});
             static_cast<void>(world.scene.lists.occluded(ray, {}, 1, kNoShape));

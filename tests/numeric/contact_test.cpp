@@ -1,4 +1,5 @@
-// T7: shapes that touch or nearly do. The sliver of sky beside a ball that rests on a floor has a closed form.
+// T7: shapes that touch or nearly do. The sliver of sky beside a ball that rests on a floor has a
+// closed form.
 #include <gtest/gtest.h>
 
 #include "tests/support/world.h"
@@ -9,18 +10,20 @@ namespace {
 using namespace test;
 using ContactFull = FullRun;
 
-/// Irradiance over pi from a uniform sky at distance x (in radii) from where a unit ball touches the floor: the ball hides
-/// cos(theta) sin^2(alpha) = (1 + x^2)^(-3/2) of it.
+/// Irradiance over pi from a uniform sky at distance x (in radii) from where a unit ball touches
+/// the floor: the ball hides cos(theta) sin^2(alpha) = (1 + x^2)^(-3/2) of it.
 double skyBesideABall(double x) { return -std::expm1(-1.5 * std::log1p(x * x)); }
 
-/// The same by asking for every direction of a fine grid whether it is free. Free ones lie below an elevation of 4 x.
+/// The same by asking for every direction of a fine grid whether it is free. Free ones lie below an
+/// elevation of 4 x.
 double measuredSky(const World& world, const DVec3& at, double x, double scale, int side) {
     const double top = std::sin(std::min(4 * x, kPi / 2)), top2 = top * top;
     double free = 0;
     for (int i = 0; i < side; ++i)
         for (int j = 0; j < side; ++j) {
             // Uniform in sin^2 of the elevation: each cell has the same irradiance.
-            const double sine = std::sqrt(top2 * (i + 0.5) / side), cosine = std::sqrt(1 - sine * sine), phi = 2 * kPi * (j + 0.5) / side;
+            const double sine = std::sqrt(top2 * (i + 0.5) / side),
+                         cosine = std::sqrt(1 - sine * sine), phi = 2 * kPi * (j + 0.5) / side;
             const Ray ray{at, {cosine * std::cos(phi), sine, cosine * std::sin(phi)}, 0, false};
             free += world.scene.lists.occluded(ray, {}, 1e6 * scale, kNoShape) ? 0 : 1;
         }
@@ -30,8 +33,10 @@ double measuredSky(const World& world, const DVec3& at, double x, double scale, 
 void expectContactShadow(int side) {
     for (const double scale : {1e-6, 1.0, 1e6})
         for (const double x : {1e-5, 1e-3, 1e-1}) {
-            const World world({makeInstance(CanonicalPlane{}, DMat3(1.0), DVec3(0.0)), makeInstance(CanonicalSphere{}, DMat3(scale), {0, scale, 0})});
-            const double exact = skyBesideABall(x), measured = measuredSky(world, {x * scale, 0, 0}, x, scale, side);
+            const World world({makeInstance(CanonicalPlane{}, DMat3(1.0), DVec3(0.0)),
+                               makeInstance(CanonicalSphere{}, DMat3(scale), {0, scale, 0})});
+            const double exact = skyBesideABall(x),
+                         measured = measuredSky(world, {x * scale, 0, 0}, x, scale, side);
             EXPECT_NEAR(measured, exact, 0.01 * exact) << "at " << x << " radii, scale " << scale;
         }
 }
@@ -39,8 +44,8 @@ void expectContactShadow(int side) {
 TEST(Contact, ShadowBesideABallOnAFloorIsExact) { expectContactShadow(300); }
 TEST_F(ContactFull, ShadowBesideABallOnAFloorIsExact) { expectContactShadow(4000); }
 
-/// Two balls a hair apart: a ray between them that should meet the second is never lost, and one that leaves the first never
-/// meets anything but the second.
+/// Two balls a hair apart: a ray between them that should meet the second is never lost, and one
+/// that leaves the first never meets anything but the second.
 Tally crossGap(std::uint64_t count, double gap) {
     return tallyInParallel(count, 11, [=](Random& random, std::uint64_t n) {
         Tally tally;
@@ -49,8 +54,9 @@ Tally crossGap(std::uint64_t count, double gap) {
             if (i % 256 == 0) {
                 const double size = random.logUniform(1e-3, 1e3);
                 const DVec3 at = random.inCube(100 * size), axis = random.direction();
-                world = World({makeInstance(CanonicalSphere{}, DMat3(size), at),
-                               makeInstance(CanonicalSphere{}, DMat3(size), at + (2 + gap) * size * axis)});
+                world = World(
+                    {makeInstance(CanonicalSphere{}, DMat3(size), at),
+                     makeInstance(CanonicalSphere{}, DMat3(size), at + (2 + gap) * size * axis)});
             }
             const ShapeInstance &first = world.scene.shapes[0], &second = world.scene.shapes[1];
             const DVec3 axis = glm::normalize(second.center - first.center);

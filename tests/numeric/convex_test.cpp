@@ -1,5 +1,5 @@
-// T3, T4: every shape under random affine transforms (turns, unequal scales, shear, mirrors) against quad precision; hits put
-// back onto the surface; rays aimed at edges, rims and the apex.
+// T3, T4: every shape under random affine transforms (turns, unequal scales, shear, mirrors)
+// against quad precision; hits put back onto the surface; rays aimed at edges, rims and the apex.
 #include <gtest/gtest.h>
 
 #include "tests/support/hit_check.h"
@@ -15,10 +15,13 @@ DVec3 target(Random& random, const CanonicalShape& shape) {
     const double phi = random.uniform(0, 2 * kPi);
     const int way = static_cast<int>(random.next() % 4);
     if (way > 1) return random.inCube(1.2);
-    if (std::holds_alternative<CanonicalBox>(shape) || std::holds_alternative<CanonicalQuad>(shape)) {
+    if (std::holds_alternative<CanonicalBox>(shape) ||
+        std::holds_alternative<CanonicalQuad>(shape)) {
         DVec3 p = random.inCube(1);
         p.x = std::copysign(1.0, p.x);
-        p.y = std::holds_alternative<CanonicalQuad>(shape) ? 0 : way ? p.y : std::copysign(1.0, p.y);
+        p.y = std::holds_alternative<CanonicalQuad>(shape) ? 0
+              : way                                        ? p.y
+                                                           : std::copysign(1.0, p.y);
         return p;
     }
     const double y = std::holds_alternative<CanonicalDisk>(shape) ? 0 : way ? -1 : 1;
@@ -33,14 +36,18 @@ Tally throwAt(const CanonicalShape& shape, std::uint64_t count, double distance)
         ShapeLists lists;
         for (std::uint64_t i = 0; i < n; ++i) {
             if (i % 64 == 0) {
-                instance = makeInstance(shape, randomLinear(random) * random.logUniform(1e-3, 1e3), random.inCube(1));
+                instance = makeInstance(shape, randomLinear(random) * random.logUniform(1e-3, 1e3),
+                                        random.inCube(1));
                 lists = ShapeLists({instance});
             }
             DVec3 from = distance * random.direction();
             // Along an axis, in a face's plane, down the axis itself: exact zeros in the direction.
             DVec3 to = target(random, shape);
             if (random.next() % 8 == 0) to = from, to[static_cast<int>(random.next() % 3)] *= -1;
-            checkHit(instance, lists, rayTo(instance.center + instance.worldFromLocal * from, instance.center + instance.worldFromLocal * to), tally);
+            checkHit(instance, lists,
+                     rayTo(instance.center + instance.worldFromLocal * from,
+                           instance.center + instance.worldFromLocal * to),
+                     tally);
         }
         return tally;
     });
@@ -51,21 +58,25 @@ void expectAgreement(std::uint64_t count) {
         if (std::holds_alternative<CanonicalTorus>(shape)) continue;  // torus_test.cpp
         for (const double distance : {2.0, 30.0, 1e4}) {
             const Tally tally = throwAt(shape, count, distance);
-            tally.print((std::string(nameOf(shape)) + " at " + std::to_string(distance) + " sizes").c_str());
+            tally.print((std::string(nameOf(shape)) + " at " + std::to_string(distance) + " sizes")
+                            .c_str());
             EXPECT_EQ(tally.failures, 0u) << tally.first;
         }
     }
 }
 
 TEST(Shapes, HitsUnderAffineTransformsAgreeWithQuadPrecision) { expectAgreement(8000); }
-TEST_F(ShapesFull, HitsUnderAffineTransformsAgreeWithQuadPrecision) { expectAgreement(100'000'000 / 21); }
+TEST_F(ShapesFull, HitsUnderAffineTransformsAgreeWithQuadPrecision) {
+    expectAgreement(100'000'000 / 21);
+}
 
 /// Puts random points near a surface back onto it, on the face that is nearest.
 Tally projectOnto(const CanonicalShape& shape, std::uint64_t count) {
     return tallyInParallel(count, 3, [=](Random& random, std::uint64_t n) {
         Tally tally;
         for (std::uint64_t i = 0; i < n; ++i) {
-            const DVec3 from = random.logUniform(2, 1e6) * random.direction(), direction = glm::normalize(random.inCube(1) - from);
+            const DVec3 from = random.logUniform(2, 1e6) * random.direction(),
+                        direction = glm::normalize(random.inCube(1) - from);
             std::visit(
                 [&](const auto& s) {
                     const Crossing hit = s.first(from, direction, Start::Elsewhere);
@@ -74,9 +85,12 @@ Tally projectOnto(const CanonicalShape& shape, std::uint64_t count) {
                     const DVec3 p = s.project(from + hit.t * direction, hit.face);
                     const double off = residual(shape, QuadVec(p), hit.face);
                     tally.error(off);
-                    if (!(off <= 4e-16)) tally.fail(std::string(nameOf(shape)) + " off by " + std::to_string(off));
+                    if (!(off <= 4e-16))
+                        tally.fail(std::string(nameOf(shape)) + " off by " + std::to_string(off));
                     // Outwards: the ray came from outside (of open shapes: from either side).
-                    if (s.closed && !s.inside(from) && !(glm::dot(s.normal(p, hit.face), direction) <= 1e-7 * glm::length(s.normal(p, hit.face))))
+                    if (s.closed && !s.inside(from) &&
+                        !(glm::dot(s.normal(p, hit.face), direction) <=
+                          1e-7 * glm::length(s.normal(p, hit.face))))
                         tally.fail(std::string(nameOf(shape)) + " normal points inwards");
                 },
                 shape);
@@ -133,8 +147,8 @@ TEST(Shapes, ARayInThePlaneOfAFaceMeetsOrMissesWithoutNaN) {
     EXPECT_FALSE(CanonicalPlane{}.first({0, 0, 0}, {1, 0, 0}, Start::Elsewhere).found());
 }
 
-/// A path is known to be inside, but its origin is a rounding outside of a face and it goes along that face: it must leave
-/// there, and not be carried to another face.
+/// A path is known to be inside, but its origin is a rounding outside of a face and it goes along
+/// that face: it must leave there, and not be carried to another face.
 TEST(Shapes, ABoundaryAHairBehindIsMetWhereTheRayIs) {
     const double above = std::nextafter(1.0, 2.0);
     const auto stays = [](const auto& shape, const DVec3& o, const DVec3& d) {
@@ -153,8 +167,9 @@ TEST(Shapes, ABoundaryAHairBehindIsMetWhereTheRayIs) {
     stays(CanonicalCone{}, {0.3, -above, 0}, {1, 0, 0});
 }
 
-/// Two glass blocks share a face. Light reflected within the upper one leaves the shared face upwards; rounding may have put
-/// that point inside the lower block, which it must not hit, least of all at its far end.
+/// Two glass blocks share a face. Light reflected within the upper one leaves the shared face
+/// upwards; rounding may have put that point inside the lower block, which it must not hit, least
+/// of all at its far end.
 TEST(Shapes, AFaceJustLeftIsNotMetAgainByATrackedPath) {
     const double below = std::nextafter(1.0, 0.0);
     const auto passes = [](const auto& shape, const DVec3& o, const DVec3& d) {

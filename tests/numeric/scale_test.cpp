@@ -1,5 +1,6 @@
-// T11, and the part of T25 about interruptions: the picture depends neither on the size of the scene nor on its place, and a
-// render that is cancelled and taken up again gives the bits of one that was not.
+// T11, and the part of T25 about interruptions: the picture depends neither on the size of the
+// scene nor on its place, and a render that is cancelled and taken up again gives the bits of one
+// that was not.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -14,7 +15,8 @@ namespace {
 
 using test::SceneBuilder;
 
-/// The same still life `size` times as large, with everything that has a length or an intensity following, moved by `away`.
+/// The same still life `size` times as large, with everything that has a length or an intensity
+/// following, moved by `away`.
 SceneBuilder stillLife(double size, const DVec3& away, int spp) {
     SceneBuilder b;
     const auto place = [&](double x, double y, double z) { return size * DVec3(x, y, z) + away; };
@@ -53,7 +55,9 @@ SceneBuilder stillLife(double size, const DVec3& away, int spp) {
 
 void expectSameBits(int step, int spp) {
     const Image whole = stillLife(1, DVec3(0.0), spp).render().beauty;
-    for (int k = -20; k <= 20; k += step) EXPECT_EQ(stillLife(std::ldexp(1.0, k), DVec3(0.0), spp).render().beauty.rgb, whole.rgb) << "times 2^" << k;
+    for (int k = -20; k <= 20; k += step)
+        EXPECT_EQ(stillLife(std::ldexp(1.0, k), DVec3(0.0), spp).render().beauty.rgb, whole.rgb)
+            << "times 2^" << k;
 }
 
 using ScaleFull = test::FullRun;
@@ -78,7 +82,9 @@ std::vector<Seen> primaryHits(const RenderScene& scene) {
             }
             const ShapeInstance& shape = scene.shapes[hit.shape];
             const DVec3 local = shape.localPoint(ray.at(hit.t));
-            const DVec3 normal = std::visit([&](const auto& s) { return s.normal(s.project(local, hit.face), hit.face); }, shape.shape);
+            const DVec3 normal = std::visit(
+                [&](const auto& s) { return s.normal(s.project(local, hit.face), hit.face); },
+                shape.shape);
             out.push_back({hit.shape, hit.t, glm::normalize(normal * shape.localFromWorld)});
         }
     return out;
@@ -88,12 +94,14 @@ struct Change {
     double size;
     DVec3 away;
 };
-const Change kChanges[] = {{1e-3, DVec3(0.0)}, {1e3, DVec3(0.0)}, {1e-6, DVec3(0.0)}, {1, {1e5, 2e4, -3e5}}, {1, {1e6, -1e6, 1e6}}, {1e3, {1e9, 0, 1e9}}};
+const Change kChanges[] = {{1e-3, DVec3(0.0)},    {1e3, DVec3(0.0)},     {1e-6, DVec3(0.0)},
+                           {1, {1e5, 2e4, -3e5}}, {1, {1e6, -1e6, 1e6}}, {1e3, {1e9, 0, 1e9}}};
 
 TEST(Scale, FirstHitsAgreeInOtherSizesAndPlaces) {
     const std::vector<Seen> before = primaryHits(*stillLife(1, DVec3(0.0), 1).compile());
     for (const Change& change : kChanges) {
-        const std::vector<Seen> after = primaryHits(*stillLife(change.size, change.away, 1).compile());
+        const std::vector<Seen> after =
+            primaryHits(*stillLife(change.size, change.away, 1).compile());
         int others = 0;
         for (std::size_t i = 0; i < before.size(); ++i) {
             if (after[i].shape != before[i].shape) {
@@ -101,7 +109,8 @@ TEST(Scale, FirstHitsAgreeInOtherSizesAndPlaces) {
                 continue;
             }
             if (before[i].shape == kNoShape) continue;
-            EXPECT_NEAR(after[i].distance / change.size, before[i].distance, 1e-6 * before[i].distance);
+            EXPECT_NEAR(after[i].distance / change.size, before[i].distance,
+                        1e-6 * before[i].distance);
             EXPECT_LT(glm::length(after[i].normal - before[i].normal), 1e-6);
         }
         EXPECT_EQ(others, 0) << "pixels see another object";
@@ -120,7 +129,8 @@ void expectSameLight(int spp) {
             others += std::abs(d) > 1e-4 * std::max(1e-3, static_cast<double>(before.rgb[i]));
             sum += d, squares += d * d;
         }
-        const double n = static_cast<double>(before.rgb.size()), mean = sum / n, sigma = std::sqrt(squares / n / n);
+        const double n = static_cast<double>(before.rgb.size()), mean = sum / n,
+                     sigma = std::sqrt(squares / n / n);
         EXPECT_LE(others, 0.001 * n) << "size " << change.size << ", moved to " << change.away.x;
         EXPECT_LE(std::abs(mean), 4 * sigma + 1e-9);
     }
@@ -128,7 +138,8 @@ void expectSameLight(int spp) {
 TEST(Scale, LightAgreesInOtherSizesAndPlaces) { expectSameLight(4); }
 TEST_F(ScaleFull, LightAgreesInOtherSizesAndPlaces) { expectSameLight(64); }
 
-/// Cancels after every few samples by moving the epoch from within the kernel's own check, from another thread.
+/// Cancels after every few samples by moving the epoch from within the kernel's own check, from
+/// another thread.
 TEST(Interruption, CancelledAndResumedPassesGiveTheSameBits) {
     const auto scene = stillLife(1, DVec3(0.0), 6).compile();
     const PixelRect all{0, 0, scene->film.width, scene->film.height};
@@ -136,7 +147,7 @@ TEST(Interruption, CancelledAndResumedPassesGiveTheSameBits) {
     Scheduler scheduler(pool);
     Film whole(all.width, all.height), broken(all.width, all.height);
     RenderCounts counts;
-    ASSERT_TRUE(scheduler.renderPass(*scene, whole, all, 1, 6, {}, counts));
+    ASSERT_TRUE(scheduler.renderPass(*scene, whole, nullptr, all, 1, 6, {}, counts));
 
     std::atomic<std::uint64_t> epoch{0};
     int cancelled = 0;
@@ -147,9 +158,12 @@ TEST(Interruption, CancelledAndResumedPassesGiveTheSameBits) {
                 epoch.fetch_add(1);
             }
         });
-        // Coarse passes first, as the viewport does; each call takes up where the last one was stopped.
+        // Coarse passes first, as the viewport does; each call takes up where the last one was
+        // stopped.
         for (const int stride : {4, 1})
-            while (!scheduler.renderPass(*scene, broken, all, stride, stride == 1 ? 6 : 1, {&epoch, epoch.load()}, counts)) ++cancelled;
+            while (!scheduler.renderPass(*scene, broken, nullptr, all, stride, stride == 1 ? 6 : 1,
+                                         {&epoch, epoch.load()}, counts))
+                ++cancelled;
     }
     EXPECT_GT(cancelled, 0) << "nothing was interrupted";
     EXPECT_EQ(broken.image().rgb, whole.image().rgb);

@@ -1,4 +1,5 @@
-// T1, T2: balls against quad precision, from the surface itself to a million radii away, through the middle and grazing.
+// T1, T2: balls against quad precision, from the surface itself to a million radii away, through
+// the middle and grazing.
 #include <gtest/gtest.h>
 
 #include "tests/support/hit_check.h"
@@ -22,10 +23,15 @@ Tally throwAtBalls(std::uint64_t count, double distance, double low, double high
                 lists = ShapeLists({ball});
             }
             const double radius = ball.worldFromLocal[0].x;
-            const DVec3 away = random.direction(), side = glm::normalize(glm::cross(away, random.direction()));
+            const DVec3 away = random.direction(),
+                        side = glm::normalize(glm::cross(away, random.direction()));
             // The line at angle asin(b / distance) from the centre passes it at b.
-            const double sine = std::min(1.0, random.uniform(low, high) / distance), cosine = std::sqrt(1 - sine * sine);
-            checkHit(ball, lists, {ball.center + distance * radius * away, glm::normalize(sine * side - cosine * away)}, tally);
+            const double sine = std::min(1.0, random.uniform(low, high) / distance),
+                         cosine = std::sqrt(1 - sine * sine);
+            checkHit(ball, lists,
+                     {ball.center + distance * radius * away,
+                      glm::normalize(sine * side - cosine * away)},
+                     tally);
         }
         return tally;
     });

@@ -1,4 +1,5 @@
-// T5: tori of every thickness, from inside to 1e4 major radii away, against quad precision; and rays that start on them.
+// T5: tori of every thickness, from inside to 1e4 major radii away, against quad precision; and
+// rays that start on them.
 #include <gtest/gtest.h>
 
 #include "tests/support/hit_check.h"
@@ -16,13 +17,21 @@ Tally throwAtTori(std::uint64_t count, double ratio, double distance) {
         ShapeLists lists;
         for (std::uint64_t i = 0; i < n; ++i) {
             if (i % 64 == 0) {
-                torus = makeInstance(CanonicalTorus{ratio}, randomLinear(random) * random.logUniform(1e-3, 1e3), random.inCube(1));
+                torus = makeInstance(CanonicalTorus{ratio},
+                                     randomLinear(random) * random.logUniform(1e-3, 1e3),
+                                     random.inCube(1));
                 lists = ShapeLists({torus});
             }
             // Aimed at the tube, so that thin ones are hit at all.
-            const double phi = random.uniform(0, 2 * kPi), r = 1 + 1.2 * ratio * random.uniform(-1, 1);
-            const DVec3 from = distance * random.direction(), to(r * std::cos(phi), 1.2 * ratio * random.uniform(-1, 1), r * std::sin(phi));
-            checkHit(torus, lists, rayTo(torus.center + torus.worldFromLocal * from, torus.center + torus.worldFromLocal * to), tally);
+            const double phi = random.uniform(0, 2 * kPi),
+                         r = 1 + 1.2 * ratio * random.uniform(-1, 1);
+            const DVec3 from = distance * random.direction(),
+                        to(r * std::cos(phi), 1.2 * ratio * random.uniform(-1, 1),
+                           r * std::sin(phi));
+            checkHit(torus, lists,
+                     rayTo(torus.center + torus.worldFromLocal * from,
+                           torus.center + torus.worldFromLocal * to),
+                     tally);
         }
         return tally;
     });
@@ -32,7 +41,8 @@ void expectTori(std::uint64_t count) {
     for (const double ratio : {1e-6, 0.02, 0.25, 0.5, 1.0, 1.7})
         for (const double distance : {1.0, 3.0, 1e2, 1e4}) {
             const Tally tally = throwAtTori(count, ratio, distance);
-            tally.print(("torus " + std::to_string(ratio) + " at " + std::to_string(distance)).c_str());
+            tally.print(
+                ("torus " + std::to_string(ratio) + " at " + std::to_string(distance)).c_str());
             EXPECT_EQ(tally.failures, 0u) << tally.first;
         }
 }
@@ -48,14 +58,17 @@ Tally continueFromTori(std::uint64_t count, double ratio) {
         const ShapeInstance instance = makeInstance(torus, DMat3(1.0), DVec3(0.0));
         for (std::uint64_t i = 0; i < n; ++i) {
             const double phi = random.uniform(0, 2 * kPi);
-            const double theta = random.uniform(-1, 1) * (ratio > 1 ? std::acos(-1 / ratio) : kPi), r = 1 + ratio * std::cos(theta);
-            const DVec3 at = torus.project({r * std::sin(phi), ratio * std::sin(theta), r * std::cos(phi)}, 0);
+            const double theta = random.uniform(-1, 1) * (ratio > 1 ? std::acos(-1 / ratio) : kPi),
+                         r = 1 + ratio * std::cos(theta);
+            const DVec3 at =
+                torus.project({r * std::sin(phi), ratio * std::sin(theta), r * std::cos(phi)}, 0);
             const DVec3 direction = random.direction();
             const double cosine = glm::dot(direction, glm::normalize(torus.normal(at, 0)));
             // The start is off the surface by a rounding, which over the tube's radius is an angle.
             if (std::abs(cosine) < 1e-6 + 1e-14 / ratio) continue;
             ++tally.checks;
-            const Crossing next = torus.first(at, direction, cosine > 0 ? Start::Leaving : Start::Entering);
+            const Crossing next =
+                torus.first(at, direction, cosine > 0 ? Start::Leaving : Start::Entering);
             // The reference's first crossing behind the one that the ray starts on.
             const QuadRoots roots = reference::crossings(torus, {QuadVec(at), QuadVec(direction)});
             std::size_t self = roots.size();
@@ -63,15 +76,19 @@ Tally continueFromTori(std::uint64_t count, double ratio) {
                 if (self == roots.size() || absolute(roots[k]) < absolute(roots[self])) self = k;
             const bool found = self + 1 < roots.size();
             const double exact = found ? static_cast<double>(roots[self + 1]) : kInfinity;
-            if (next.found() == found && (!found || std::abs(next.t - exact) <= 1e-7 * (1 + exact))) {
+            if (next.found() == found &&
+                (!found || std::abs(next.t - exact) <= 1e-7 * (1 + exact))) {
                 if (found) tally.error(std::abs(next.t - exact));
                 continue;
             }
             // Within the band of a tangent there may be one more pair of crossings or one less.
-            const auto grown = reference::crossings(CanonicalTorus{ratio * (1 + 1e-6)}, {QuadVec(at), QuadVec(direction)});
-            const auto shrunk = reference::crossings(CanonicalTorus{ratio * (1 - 1e-6)}, {QuadVec(at), QuadVec(direction)});
+            const auto grown = reference::crossings(CanonicalTorus{ratio * (1 + 1e-6)},
+                                                    {QuadVec(at), QuadVec(direction)});
+            const auto shrunk = reference::crossings(CanonicalTorus{ratio * (1 - 1e-6)},
+                                                     {QuadVec(at), QuadVec(direction)});
             if (grown.size() == shrunk.size())
-                tally.fail(replay(instance, {at, direction, 0, cosine < 0}) + " t=" + std::to_string(next.t) + " exact=" + std::to_string(exact));
+                tally.fail(replay(instance, {at, direction, 0, cosine < 0}) +
+                           " t=" + std::to_string(next.t) + " exact=" + std::to_string(exact));
         }
         return tally;
     });

@@ -3,6 +3,7 @@
 
 #include "tests/support/scenes.h"
 #include "tracer/render/kernel.h"
+#include "tracer/render/layers.h"
 
 namespace glint {
 namespace {
@@ -71,7 +72,8 @@ TEST(Kernels, EveryKernelThatCoversASceneGivesTheSameBits) {
     for (const Kernel& kernel : allKernels()) {
         if (kernel.integrator != Integrator::Path) continue;
         for (int i = 0; i < 400; ++i) {
-            KernelState chosen{*scene, {}, {}, false}, other{*scene, {}, {}, false};
+            LayerSample layers;
+            KernelState chosen{*scene, {}, {}, false}, other{*scene, {}, {}, false, &layers};
             const int x = i % 20 + 6, y = i / 20 + 6;
             ASSERT_EQ(chooseKernel(*scene).run(chosen, x, y, 3), kernel.run(other, x, y, 3)) << kernel.name << " at " << x << ", " << y;
         }

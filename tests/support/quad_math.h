@@ -1,5 +1,6 @@
-// Reference answers in quad precision (113 bits): the textbook solution of every shape, on the very numbers that the tracer is
-// given. It shares no formula and no code with tracer/shapes. Both compilers have __float128; its library is not needed.
+// Reference answers in quad precision (113 bits): the textbook solution of every shape, on the very
+// numbers that the tracer is given. It shares no formula and no code with tracer/shapes. Both
+// compilers have __float128; its library is not needed.
 #pragma once
 
 #include <cmath>
@@ -27,12 +28,20 @@ struct QuadVec {
     QuadVec() = default;
     QuadVec(Float128 a, Float128 b, Float128 c) : x(a), y(b), z(c) {}
     explicit QuadVec(const DVec3& v) : x(v.x), y(v.y), z(v.z) {}
-    friend QuadVec operator+(const QuadVec& a, const QuadVec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-    friend QuadVec operator-(const QuadVec& a, const QuadVec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend QuadVec operator+(const QuadVec& a, const QuadVec& b) {
+        return {a.x + b.x, a.y + b.y, a.z + b.z};
+    }
+    friend QuadVec operator-(const QuadVec& a, const QuadVec& b) {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
     friend QuadVec operator*(Float128 s, const QuadVec& a) { return {s * a.x, s * a.y, s * a.z}; }
-    [[nodiscard]] DVec3 rounded() const { return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)}; }
+    [[nodiscard]] DVec3 rounded() const {
+        return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+    }
 };
-[[nodiscard]] inline Float128 dot(const QuadVec& a, const QuadVec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+[[nodiscard]] inline Float128 dot(const QuadVec& a, const QuadVec& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 [[nodiscard]] inline QuadVec cross(const QuadVec& a, const QuadVec& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -47,7 +56,8 @@ struct QuadRay {
 [[nodiscard]] inline QuadVec solve(const DMat3& m, const QuadVec& v) {
     const QuadVec a(m[0]), b(m[1]), c(m[2]);
     const Float128 determinant = dot(a, cross(b, c));
-    return {dot(v, cross(b, c)) / determinant, dot(a, cross(v, c)) / determinant, dot(a, cross(b, v)) / determinant};
+    return {dot(v, cross(b, c)) / determinant, dot(a, cross(v, c)) / determinant,
+            dot(a, cross(b, v)) / determinant};
 }
 [[nodiscard]] inline QuadRay localRay(const ShapeInstance& instance, const Ray& ray) {
     return {solve(instance.worldFromLocal, QuadVec(ray.origin) - QuadVec(instance.center)),
@@ -69,7 +79,8 @@ inline QuadRoots quadratic(Float128 a, Float128 b, Float128 c) {
     return {(-b - root) / a, (-b + root) / a};
 }
 /// The part of [roots] where -1 <= o + t d <= 1.
-inline QuadRoots clipped(QuadRoots roots, Float128 o, Float128 d, Float128 low = -1, Float128 high = 1) {
+inline QuadRoots clipped(QuadRoots roots, Float128 o, Float128 d, Float128 low = -1,
+                         Float128 high = 1) {
     if (roots.empty()) return {};
     if (d == 0) return o >= low && o <= high ? roots : QuadRoots{};
     Float128 enter = (low - o) / d, leave = (high - o) / d;
@@ -105,12 +116,14 @@ inline QuadRoots crossings(const CanonicalCylinder&, const QuadRay& r) {
     return clipped(tube, r.o.y, r.d.y);
 }
 inline QuadRoots crossings(const CanonicalCone&, const QuadRay& r) {
-    // Within -1 <= y <= 1 there is one nappe only, so clip first and intersect the two intervals of the double cone.
+    // Within -1 <= y <= 1 there is one nappe only, so clip first and intersect the two intervals of
+    // the double cone.
     const QuadRoots slab = clipped({-kFar, kFar}, r.o.y, r.d.y);
     if (slab.empty()) return {};
     const Float128 h = r.o.y - 1;
-    const Float128 a = r.d.x * r.d.x + r.d.z * r.d.z - r.d.y * r.d.y / 4, b = r.o.x * r.d.x + r.o.z * r.d.z - h * r.d.y / 4,
-               c = r.o.x * r.o.x + r.o.z * r.o.z - h * h / 4;
+    const Float128 a = r.d.x * r.d.x + r.d.z * r.d.z - r.d.y * r.d.y / 4,
+                   b = r.o.x * r.d.x + r.o.z * r.d.z - h * r.d.y / 4,
+                   c = r.o.x * r.o.x + r.o.z * r.o.z - h * h / 4;
     const auto within = [&](Float128 lo, Float128 hi) {
         const QuadRoots out{lo > slab[0] ? lo : slab[0], hi < slab[1] ? hi : slab[1]};
         return out[0] <= out[1] ? out : QuadRoots{};
@@ -127,7 +140,9 @@ inline QuadRoots crossings(const CanonicalCone&, const QuadRay& r) {
     if (roots.empty()) return slab;
     const QuadRoots before = within(-kFar, roots[0]), after = within(roots[1], kFar);
     // The upper nappe's part is cut off by the slab, down to the apex itself.
-    return before.empty() || (!after.empty() && after[1] - after[0] > before[1] - before[0]) ? after : before;
+    return before.empty() || (!after.empty() && after[1] - after[0] > before[1] - before[0])
+               ? after
+               : before;
 }
 
 /// Distance outside of the torus's surface; negative inside.
@@ -135,8 +150,9 @@ inline Float128 torusDistance(const CanonicalTorus& torus, const QuadVec& p) {
     const Float128 outwards = squareRoot(p.x * p.x + p.z * p.z) - 1;
     return squareRoot(outwards * outwards + p.y * p.y) - torus.ratio;
 }
-/// Walks along the line by the distance to the surface, which it cannot overstep; between crossings nearer than
-/// that (1e-7 of the tube, and above the noise of double) it may see none. Each crossing is then bisected in quad precision.
+/// Walks along the line by the distance to the surface, which it cannot overstep; between crossings
+/// nearer than that (1e-7 of the tube, and above the noise of double) it may see none. Each
+/// crossing is then bisected in quad precision.
 inline QuadRoots crossings(const CanonicalTorus& torus, const QuadRay& r) {
     const Float128 length = squareRoot(dot(r.d, r.d)), shift = -dot(r.o, r.d) / (length * length);
     const QuadVec p = r.at(shift), u = (1 / length) * r.d;
@@ -147,7 +163,8 @@ inline QuadRoots crossings(const CanonicalTorus& torus, const QuadRay& r) {
         const DVec3 x = pd + s * ud;
         return std::hypot(std::hypot(x.x, x.z) - 1, x.y) - torus.ratio;
     };
-    const double end = std::sqrt(static_cast<double>(half2)) + torus.ratio, least = std::max(1e-7 * torus.ratio, 1e-11);
+    const double end = std::sqrt(static_cast<double>(half2)) + torus.ratio,
+                 least = std::max(1e-7 * torus.ratio, 1e-11);
     QuadRoots roots;
     double at = -end, value = distance(at);
     while (at < end) {
@@ -165,11 +182,14 @@ inline QuadRoots crossings(const CanonicalTorus& torus, const QuadRay& r) {
     return roots;
 }
 
-/// The shape grown by `e` of its own size in every direction from its middle (a torus: of its tube; a plane: upwards).
+/// The shape grown by `e` of its own size in every direction from its middle (a torus: of its tube;
+/// a plane: upwards).
 template <class Canonical>
 QuadRoots grownCrossings(const Canonical& shape, const QuadRay& ray, double e) {
-    if constexpr (std::is_same_v<Canonical, CanonicalTorus>) return crossings(CanonicalTorus{shape.ratio + e}, ray);
-    if constexpr (std::is_same_v<Canonical, CanonicalPlane>) return crossings(shape, {ray.o - QuadVec(0, e, 0), ray.d});
+    if constexpr (std::is_same_v<Canonical, CanonicalTorus>)
+        return crossings(CanonicalTorus{shape.ratio + e}, ray);
+    if constexpr (std::is_same_v<Canonical, CanonicalPlane>)
+        return crossings(shape, {ray.o - QuadVec(0, e, 0), ray.d});
     const Float128 s = 1 / (1 + Float128(e));
     return crossings(shape, {s * ray.o, s * ray.d});
 }
@@ -177,14 +197,17 @@ QuadRoots grownCrossings(const Canonical& shape, const QuadRay& ray, double e) {
 }  // namespace reference
 
 /// The first crossing in front of a ray that starts elsewhere; `grow` as in grownCrossings().
-[[nodiscard]] inline std::optional<Float128> firstReference(const CanonicalShape& shape, const QuadRay& ray, double grow = 0) {
-    const QuadRoots roots = std::visit([&](const auto& s) { return reference::grownCrossings(s, ray, grow); }, shape);
+[[nodiscard]] inline std::optional<Float128> firstReference(const CanonicalShape& shape,
+                                                            const QuadRay& ray, double grow = 0) {
+    const QuadRoots roots =
+        std::visit([&](const auto& s) { return reference::grownCrossings(s, ray, grow); }, shape);
     for (const Float128& t : roots)
         if (t > 0) return t;
     return std::nullopt;
 }
 
-/// How far a point is off the surface, over the shape's canonical size; from the field of the face that it was put on.
+/// How far a point is off the surface, over the shape's canonical size; from the field of the face
+/// that it was put on.
 [[nodiscard]] inline double residual(const CanonicalShape& shape, const QuadVec& p, int face) {
     const Float128 r = squareRoot(p.x * p.x + p.z * p.z);
     const auto off = [&]<class S>(const S& s) -> Float128 {
@@ -192,8 +215,10 @@ QuadRoots grownCrossings(const Canonical& shape, const QuadRay& ray, double e) {
         if constexpr (std::is_same_v<S, CanonicalTorus>) return reference::torusDistance(s, p);
         if constexpr (std::is_same_v<S, CanonicalBox>)
             return absolute(face / 2 == 0 ? p.x : face / 2 == 1 ? p.y : p.z) - 1;
-        if constexpr (std::is_same_v<S, CanonicalCylinder>) return face == 0 ? r - 1 : absolute(p.y) - 1;
-        if constexpr (std::is_same_v<S, CanonicalCone>) return face == 0 ? r - (1 - p.y) / 2 : p.y + 1;
+        if constexpr (std::is_same_v<S, CanonicalCylinder>)
+            return face == 0 ? r - 1 : absolute(p.y) - 1;
+        if constexpr (std::is_same_v<S, CanonicalCone>)
+            return face == 0 ? r - (1 - p.y) / 2 : p.y + 1;
         return p.y;
     };
     return static_cast<double>(absolute(std::visit(off, shape)));

@@ -25,7 +25,9 @@ class Maker {
         for (int i = count(12); i > 0; --i) scene_.objects.add(makeObject());
         for (int i = count(5); i > 0; --i) scene_.lights.add(makeLight());
         makeCameras();
-        if (chance(0.3)) scene_.editor = R"({"panels": {"left": 240, "open": true}, "list": [1, 2.5, "x", null]})";
+        if (chance(0.3))
+            scene_.editor =
+                R"({"panels": {"left": 240, "open": true}, "list": [1, 2.5, "x", null]})";
         return std::move(scene_);
     }
 
@@ -39,25 +41,35 @@ class Maker {
         double value = std::round(uniform(-20, 20)) / 4;
         if (chance(0.5)) value = uniform(-10, 10);
         if (chance(0.1)) value *= std::pow(10, uniform(-25, 25));
-        if (value >= meta.min && value <= meta.max && !(meta.exclusiveMin && value == meta.min)) return value;
+        if (value >= meta.min && value <= meta.max && !(meta.exclusiveMin && value == meta.min))
+            return value;
         const double low = std::max(meta.min, -1e6), high = std::min(meta.max, low + 1e6);
         return low + (high - low) * uniform(0.001, 0.999);
     }
 
     std::string text() {
-        static const std::vector<std::string> texts{"",       "Ball",  "Kugel \xC3\xA4", "\xE7\x90\x83",  "a/b~c",
-                                                    "\"q\\\"", "t\tn\n", "clear 1",       "\xF0\x9F\x94\xB4", " "};
+        static const std::vector<std::string> texts{
+            "",        "Ball",   "Kugel \xC3\xA4", "\xE7\x90\x83",     "a/b~c",
+            "\"q\\\"", "t\tn\n", "clear 1",        "\xF0\x9F\x94\xB4", " "};
         return texts[static_cast<std::size_t>(count(static_cast<int>(texts.size()) - 1))];
     }
     std::string freshName() { return text() + std::to_string(++names_); }
 
     void random(const FieldMeta& meta, double& out) { out = number(meta); }
-    void random(const FieldMeta& meta, int& out) { out = static_cast<int>(std::floor(std::max(number(meta), meta.min))); }
+    void random(const FieldMeta& meta, int& out) {
+        out = static_cast<int>(std::floor(std::max(number(meta), meta.min)));
+    }
     void random(const FieldMeta&, bool& out) { out = chance(0.5); }
-    void random(const FieldMeta& meta, std::string& out) { out = meta.required ? freshName() : text(); }
-    void random(const FieldMeta& meta, Color& out) { out = {number(meta), number(meta), number(meta)}; }
+    void random(const FieldMeta& meta, std::string& out) {
+        out = meta.required ? freshName() : text();
+    }
+    void random(const FieldMeta& meta, Color& out) {
+        out = {number(meta), number(meta), number(meta)};
+    }
     void random(const FieldMeta& meta, DVec2& out) { out = {number(meta), number(meta)}; }
-    void random(const FieldMeta& meta, DVec3& out) { out = {number(meta), number(meta), number(meta)}; }
+    void random(const FieldMeta& meta, DVec3& out) {
+        out = {number(meta), number(meta), number(meta)};
+    }
     void random(const FieldMeta& meta, std::vector<Color>& out) {
         out.resize(static_cast<std::size_t>(count(3)));
         for (Color& color : out) random(meta, color);
@@ -78,11 +90,12 @@ class Maker {
         const DMat3& m = a.linear;
         const DVec3& t = a.translation;
         out = {};
-        out.matrix = {m[0].x, m[1].x, m[2].x, t.x, m[0].y, m[1].y, m[2].y, t.y, m[0].z, m[1].z, m[2].z, t.z};
+        out.matrix = {m[0].x, m[1].x, m[2].x, t.x,    m[0].y, m[1].y,
+                      m[2].y, t.y,    m[0].z, m[1].z, m[2].z, t.z};
     }
     void random(const FieldMeta&, Shape& out) { randomKind<AllShapes>(out); }
     template <class E>
-        requires std::is_enum_v<E>
+    requires std::is_enum_v<E>
     void random(const FieldMeta&, E& out) {
         out = static_cast<E>(count(static_cast<int>(enumNames(E{}).size()) - 1));
     }
@@ -98,10 +111,8 @@ class Maker {
         if (!out.texture) random(meta, out.value);
     }
     template <class T>
-        requires requires { T::fields(); }
-    void random(const FieldMeta&, T& out) {
-        fill(out);
-    }
+    requires requires { T::fields(); }
+    void random(const FieldMeta&, T& out) { fill(out); }
 
     /// Each field is left at its default now and then.
     template <class T>
@@ -148,15 +159,19 @@ class Maker {
         randomKind<AllMaterials>(out.value);
         if (auto* translucent = std::get_if<Translucent>(&out.value))
             for (auto* share : {&translucent->reflectance, &translucent->transmittance})
-                if (!share->texture) share->value = {share->value.r / 2, share->value.g / 2, share->value.b / 2};
+                if (!share->texture)
+                    share->value = {share->value.r / 2, share->value.g / 2, share->value.b / 2};
         return out;
     }
 
     Object makeObject() {
         Object out = named<Object>();
         if (std::holds_alternative<Plane>(out.shape)) out.emission = {};
-        const bool sheet = std::holds_alternative<Quad>(out.shape) || std::holds_alternative<Disk>(out.shape);
-        if (sheet && out.material && materialGraph(scene_).content.at(out.material.value).solidGlass) out.material = {};
+        const bool sheet =
+            std::holds_alternative<Quad>(out.shape) || std::holds_alternative<Disk>(out.shape);
+        if (sheet && out.material &&
+            materialGraph(scene_).content.at(out.material.value).solidGlass)
+            out.material = {};
         return out;
     }
 
@@ -168,7 +183,8 @@ class Maker {
 
     Camera makeCamera() {
         Camera out = named<Camera>();
-        out.target = out.position * 1.0 + DVec3(uniform(1, 2), uniform(1, 2), uniform(1, 2)) * (1 + glm::length(out.position));
+        out.target = out.position * 1.0 + DVec3(uniform(1, 2), uniform(1, 2), uniform(1, 2)) *
+                                              (1 + glm::length(out.position));
         out.up = {uniform(-2, -1), uniform(1, 2), 0};
         out.verticalFovDegrees = uniform(1, 179);
         return out;

@@ -8,7 +8,8 @@
 
 namespace glint::test {
 
-Tally tallyInParallel(std::uint64_t total, std::uint64_t seed, const std::function<Tally(Random&, std::uint64_t)>& piece) {
+Tally tallyInParallel(std::uint64_t total, std::uint64_t seed,
+                      const std::function<Tally(Random&, std::uint64_t)>& piece) {
     const std::uint64_t pieces = std::clamp<std::uint64_t>(total / 4096, 1, 1024);
     std::vector<Tally> tallies(pieces);
     WorkerPool pool(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));

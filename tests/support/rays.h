@@ -1,4 +1,5 @@
-// Random shapes, places and rays for the stress tests, tallies of what they find, and many threads for the full counts.
+// Random shapes, places and rays for the stress tests, tallies of what they find, and many threads
+// for the full counts.
 #pragma once
 
 #include <cinttypes>
@@ -36,8 +37,12 @@ class Random {
         return static_cast<double>((high << 21) ^ (next() >> 11)) * 0x1p-53;
     }
     double uniform(double lo, double hi) { return lo + (hi - lo) * uniform(); }
-    double logUniform(double lo, double hi) { return std::exp(uniform(std::log(lo), std::log(hi))); }
-    DVec3 inCube(double half) { return {uniform(-half, half), uniform(-half, half), uniform(-half, half)}; }
+    double logUniform(double lo, double hi) {
+        return std::exp(uniform(std::log(lo), std::log(hi)));
+    }
+    DVec3 inCube(double half) {
+        return {uniform(-half, half), uniform(-half, half), uniform(-half, half)};
+    }
     DVec3 direction() {
         const double z = uniform(-1, 1), r = std::sqrt(1 - z * z), phi = uniform(0, 2 * kPi);
         return {r * std::cos(phi), r * std::sin(phi), z};
@@ -47,18 +52,22 @@ class Random {
     std::uint64_t state_ = 0, increment_;
 };
 
-/// Any invertible affine map that an object and two groups around it can have: turns, unequal scales, shear, mirrors. Its
-/// columns are about 1 long and it stretches at most about 30 times more in one direction than in another.
+/// Any invertible affine map that an object and two groups around it can have: turns, unequal
+/// scales, shear, mirrors. Its columns are about 1 long and it stretches at most about 30 times
+/// more in one direction than in another.
 [[nodiscard]] inline DMat3 randomLinear(Random& random) {
     const auto turn = [&] { return rotationFromDegrees(random.inCube(180)); };
     const auto scale = [&] {
-        const auto factor = [&] { return (random.uniform() < 0.5 ? -1 : 1) * random.logUniform(0.45, 2.2); };
+        const auto factor = [&] {
+            return (random.uniform() < 0.5 ? -1 : 1) * random.logUniform(0.45, 2.2);
+        };
         return DMat3(DVec3(factor(), 0, 0), DVec3(0, factor(), 0), DVec3(0, 0, factor()));
     };
     return turn() * scale() * turn() * scale();
 }
 
-[[nodiscard]] inline ShapeInstance makeInstance(const CanonicalShape& shape, const DMat3& worldFromLocal, const DVec3& center) {
+[[nodiscard]] inline ShapeInstance makeInstance(const CanonicalShape& shape,
+                                                const DMat3& worldFromLocal, const DVec3& center) {
     ShapeInstance out;
     out.shape = shape;
     out.worldFromLocal = worldFromLocal;
@@ -72,25 +81,34 @@ class Random {
     return {CanonicalSphere{}, CanonicalBox{},      CanonicalPlane{}, CanonicalQuad{},
             CanonicalDisk{},   CanonicalCylinder{}, CanonicalCone{},  CanonicalTorus{0.3}};
 }
-inline constexpr const char* kShapeNames[] = {"sphere", "box", "plane", "quad", "disk", "cylinder", "cone", "torus"};
-[[nodiscard]] inline const char* nameOf(const CanonicalShape& shape) { return kShapeNames[shape.index()]; }
+inline constexpr const char* kShapeNames[] = {"sphere", "box",      "plane", "quad",
+                                              "disk",   "cylinder", "cone",  "torus"};
+[[nodiscard]] inline const char* nameOf(const CanonicalShape& shape) {
+    return kShapeNames[shape.index()];
+}
 [[nodiscard]] inline bool isClosed(const CanonicalShape& shape) {
     return std::visit([](const auto& s) { return s.closed; }, shape);
 }
 
 /// A unit direction; the tracer takes no other.
-[[nodiscard]] inline Ray rayTo(const DVec3& origin, const DVec3& target) { return {origin, glm::normalize(target - origin)}; }
+[[nodiscard]] inline Ray rayTo(const DVec3& origin, const DVec3& target) {
+    return {origin, glm::normalize(target - origin)};
+}
 
 /// One line that replays a case: every number in hex, to the last bit.
 [[nodiscard]] inline std::string replay(const ShapeInstance& s, const Ray& ray) {
     char text[1024];
     const DMat3& m = s.worldFromLocal;
-    const double ratio = std::holds_alternative<CanonicalTorus>(s.shape) ? std::get<CanonicalTorus>(s.shape).ratio : 0;
+    const double ratio = std::holds_alternative<CanonicalTorus>(s.shape)
+                             ? std::get<CanonicalTorus>(s.shape).ratio
+                             : 0;
     std::snprintf(text, sizeof text,
-                  "%s ratio=%a center={%a,%a,%a} worldFromLocal={{%a,%a,%a},{%a,%a,%a},{%a,%a,%a}} origin={%a,%a,%a} "
+                  "%s ratio=%a center={%a,%a,%a} worldFromLocal={{%a,%a,%a},{%a,%a,%a},{%a,%a,%a}} "
+                  "origin={%a,%a,%a} "
                   "direction={%a,%a,%a} fromShape=%u fromInside=%d",
-                  nameOf(s.shape), ratio, s.center.x, s.center.y, s.center.z, m[0].x, m[0].y, m[0].z, m[1].x, m[1].y, m[1].z, m[2].x,
-                  m[2].y, m[2].z, ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z,
+                  nameOf(s.shape), ratio, s.center.x, s.center.y, s.center.z, m[0].x, m[0].y,
+                  m[0].z, m[1].x, m[1].y, m[1].z, m[2].x, m[2].y, m[2].z, ray.origin.x,
+                  ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z,
                   ray.fromShape, ray.fromInside ? 1 : 0);
     return text;
 }
@@ -117,12 +135,13 @@ struct Tally {
         error(other.worst);
     }
     void print(const char* what) const {
-        std::printf("    %-34s %12" PRIu64 " checks, %" PRIu64 " failures, worst %.3g\n", what, checks, failures, worst);
+        std::printf("    %-34s %12" PRIu64 " checks, %" PRIu64 " failures, worst %.3g\n", what,
+                    checks, failures, worst);
     }
 };
 
-/// Runs `piece(random, count)` for `total` cases in pieces with fixed seeds, on all processors, and adds up what they
-/// return, so that the outcome does not depend on the number of threads.
+/// Runs `piece(random, count)` for `total` cases in pieces with fixed seeds, on all processors, and
+/// adds up what they return, so that the outcome does not depend on the number of threads.
 [[nodiscard]] Tally tallyInParallel(std::uint64_t total, std::uint64_t seed,
                                     const std::function<Tally(Random&, std::uint64_t)>& piece);
 

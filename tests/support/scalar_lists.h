@@ -1,4 +1,5 @@
-// The model that ShapeLists is held to, in tests and measurements: every shape decided in double, one after the other.
+// The model that ShapeLists is held to, in tests and measurements: every shape decided in double,
+// one after the other.
 #pragma once
 
 #include <tuple>
@@ -18,26 +19,30 @@ class ScalarLists {
                 [&]<class Canonical>(const Canonical& shape) {
                     const auto index = static_cast<std::uint32_t>(i);
                     if constexpr (std::is_same_v<Canonical, CanonicalSphere>) {
-                        if (const double scale = similarityScale(instance.localFromWorld); scale > 0) {
+                        if (const double scale = similarityScale(instance.localFromWorld);
+                            scale > 0) {
                             balls_.push_back({instance.center, scale, index, instance.dielectric});
                             return;
                         }
                     }
                     std::get<std::vector<Entry<Canonical>>>(entries_).push_back(
-                        {instance.center, instance.localFromWorld, shape, index, instance.dielectric});
+                        {instance.center, instance.localFromWorld, shape, index,
+                         instance.dielectric});
                 },
                 instance.shape);
         }
     }
 
-    [[nodiscard]] ShapeHit closest(const Ray& ray, const MediaStack& media, double tMax = kInfinity) const {
+    [[nodiscard]] ShapeHit closest(const Ray& ray, const MediaStack& media,
+                                   double tMax = kInfinity) const {
         ShapeHit best{tMax, kNoShape, 0};
         double bestOrder = tMax;
         forEach([&](const auto& entry) {
             const Start start = startOf(ray, media, entry.index, entry.dielectric);
             const Crossing c = firstHit(entry, ray, start);
             const double order = hitOrder(c.t, ray, start, entry.dielectric);
-            if (order < bestOrder || (order == bestOrder && best.found() && entry.index < best.shape)) {
+            if (order < bestOrder ||
+                (order == bestOrder && best.found() && entry.index < best.shape)) {
                 best = {c.t, entry.index, c.face};
                 bestOrder = order;
             }
@@ -45,9 +50,12 @@ class ScalarLists {
         });
         return best;
     }
-    [[nodiscard]] bool occluded(const Ray& ray, const MediaStack& media, double tMax, std::uint32_t ignored) const {
+    [[nodiscard]] bool occluded(const Ray& ray, const MediaStack& media, double tMax,
+                                std::uint32_t ignored) const {
         return forEach([&](const auto& entry) {
-            return entry.index != ignored && firstHit(entry, ray, startOf(ray, media, entry.index, entry.dielectric)).t < tMax;
+            return entry.index != ignored &&
+                   firstHit(entry, ray, startOf(ray, media, entry.index, entry.dielectric)).t <
+                       tMax;
         });
     }
 
@@ -70,17 +78,20 @@ class ScalarLists {
     static double similarityScale(const DMat3& m) {
         const double s = glm::dot(m[0], m[0]);
         const auto near = [s](double x, double y) { return std::abs(x - y) <= 4e-16 * s; };
-        return near(glm::dot(m[1], m[1]), s) && near(glm::dot(m[2], m[2]), s) && near(glm::dot(m[0], m[1]), 0) &&
-                       near(glm::dot(m[0], m[2]), 0) && near(glm::dot(m[1], m[2]), 0)
+        return near(glm::dot(m[1], m[1]), s) && near(glm::dot(m[2], m[2]), s) &&
+                       near(glm::dot(m[0], m[1]), 0) && near(glm::dot(m[0], m[2]), 0) &&
+                       near(glm::dot(m[1], m[2]), 0)
                    ? std::sqrt(s)
                    : 0;
     }
     static Crossing firstHit(const Ball& ball, const Ray& ray, Start start) {
-        return CanonicalSphere{}.first((ray.origin - ball.center) * ball.inverseRadius, ray.direction * ball.inverseRadius, start);
+        return CanonicalSphere{}.first((ray.origin - ball.center) * ball.inverseRadius,
+                                       ray.direction * ball.inverseRadius, start);
     }
     template <class Canonical>
     static Crossing firstHit(const Entry<Canonical>& entry, const Ray& ray, Start start) {
-        return entry.shape.first(entry.localFromWorld * (ray.origin - entry.center), entry.localFromWorld * ray.direction, start);
+        return entry.shape.first(entry.localFromWorld * (ray.origin - entry.center),
+                                 entry.localFromWorld * ray.direction, start);
     }
     /// Until visit(entry) is true.
     template <class Visit>
@@ -90,12 +101,14 @@ class ScalarLists {
                 if (visit(entry)) return true;
             return false;
         };
-        return any(balls_) || std::apply([&](const auto&... list) { return (any(list) || ...); }, entries_);
+        return any(balls_) ||
+               std::apply([&](const auto&... list) { return (any(list) || ...); }, entries_);
     }
 
     std::vector<Ball> balls_;
-    std::tuple<std::vector<Entry<CanonicalSphere>>, std::vector<Entry<CanonicalBox>>, std::vector<Entry<CanonicalPlane>>,
-               std::vector<Entry<CanonicalQuad>>, std::vector<Entry<CanonicalDisk>>, std::vector<Entry<CanonicalCylinder>>,
+    std::tuple<std::vector<Entry<CanonicalSphere>>, std::vector<Entry<CanonicalBox>>,
+               std::vector<Entry<CanonicalPlane>>, std::vector<Entry<CanonicalQuad>>,
+               std::vector<Entry<CanonicalDisk>>, std::vector<Entry<CanonicalCylinder>>,
                std::vector<Entry<CanonicalCone>>, std::vector<Entry<CanonicalTorus>>>
         entries_;
 };

@@ -1,7 +1,5 @@
 #include "tests/support/scenes.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdlib>
 
@@ -91,11 +89,21 @@ PixelEstimates estimatePixels(SceneBuilder builder, int seeds) {
     return out;
 }
 
-void expectPixels(const std::vector<PixelTest>& pixels, int seeds, double unseen, const std::string& what) {
-    ASSERT_FALSE(pixels.empty()) << what;
-    // Student's t with `seeds` - 1 degrees of freedom: its variance, and a bound far out in its tail for so many pixels.
+namespace {
+
+/// What the |z| of `pixels` pixels stay below at alpha = 1e-3 for all: the tail of Student's t with that many degrees of freedom
+/// from the normal bound (Hill 1970, first terms).
+double pixelBound(std::size_t pixels, double freedom) {
+    const double alpha = 1e-3 / static_cast<double>(pixels);
+    const double z = std::sqrt(-2 * std::log(alpha / 2));
+    return z + (z * z * z + z) / (4 * freedom) + (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / (96 * freedom * freedom);
+}
+
+}  // namespace
+
+testing::AssertionResult pixelsAre(const std::vector<PixelTest>& pixels, int seeds, double unseen) {
     const double freedom = seeds - 1;
-    ASSERT_GE(freedom, 15) << "too few seeds for a bound";
+    if (pixels.empty() || freedom < 15) return testing::AssertionFailure() << "no pixels, or too few seeds for a bound";
     double squares = 0, worst = 0, bias = 0, variance = 0, rounding = 0;
     std::size_t noisy = 0;
     for (const PixelTest& p : pixels) {
@@ -105,22 +113,24 @@ void expectPixels(const std::vector<PixelTest>& pixels, int seeds, double unseen
         rounding += floor;
         const double error = std::max(0.0, std::abs(p.estimate - p.exact) - floor - unseen);
         if (error == 0) continue;
-        ASSERT_GT(p.sigma, 0) << what << ": no noise, yet " << p.estimate << " instead of " << p.exact;
+        if (!(p.sigma > 0)) return testing::AssertionFailure() << "no noise, yet " << p.estimate << " instead of " << p.exact;
         const double z = error / p.sigma;
         squares += z * z;
         worst = std::max(worst, z);
         ++noisy;
     }
-    EXPECT_LE(std::abs(bias), 4 * std::sqrt(variance) + rounding) << what << ": mean over all pixels";
-    const double alpha = 1e-3 / static_cast<double>(pixels.size());
-    // Tail of Student's t from the normal bound (Hill 1970, first terms).
-    const double z = std::sqrt(-2 * std::log(alpha / 2));
-    const double bound = z + (z * z * z + z) / (4 * freedom) + (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / (96 * freedom * freedom);
-    EXPECT_LE(worst, bound) << what << ": worst of " << pixels.size() << " pixels";
-    if (noisy > 0) {
-        const double meanSquare = squares / static_cast<double>(noisy), expected = freedom / (freedom - 2);
-        EXPECT_LE(meanSquare, expected * (1 + 6 / std::sqrt(static_cast<double>(noisy)))) << what << ": the pixels deviate as a whole";
-    }
+    if (!(std::abs(bias) <= 4 * std::sqrt(variance) + rounding))
+        return testing::AssertionFailure() << "the mean over all pixels is " << bias / std::sqrt(variance) << " sigma off";
+    if (!(worst <= pixelBound(pixels.size(), freedom)))
+        return testing::AssertionFailure() << "the worst of " << pixels.size() << " pixels is " << worst << " sigma off";
+    const double count = static_cast<double>(noisy), expected = count * freedom / (freedom - 2);
+    if (!(squares <= expected * (1 + 6 / std::sqrt(std::max(1.0, count)))))
+        return testing::AssertionFailure() << "the pixels deviate as a whole: " << squares << " instead of " << expected;
+    return testing::AssertionSuccess();
+}
+
+void expectPixels(const std::vector<PixelTest>& pixels, int seeds, double unseen, const std::string& what) {
+    EXPECT_TRUE(pixelsAre(pixels, seeds, unseen)) << what;
 }
 
 Rgb pixelAt(const Image& image, int x, int y) {
@@ -128,15 +138,17 @@ Rgb pixelAt(const Image& image, int x, int y) {
     return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
 }
 
-void expectMean(const Image& image, double exact, const std::string& what) {
+testing::AssertionResult meanIs(const Image& image, double exact) {
     const Estimate e = estimateMean(image);
     const double error = std::abs(e.mean - exact), rounding = 2e-7 * std::abs(exact);
-    const std::string found = what + ": mean " + std::to_string(e.mean) + ", exact " + std::to_string(exact);
-    EXPECT_LE(error, 4 * e.sigma + rounding) << found << ", sigma " << e.sigma;
-    EXPECT_LE(e.sigma, 1e-3 * std::abs(exact)) << found << ": too noisy to tell";
-    if (fullRun()) {
-        EXPECT_LE(error, 1e-3 * std::abs(exact)) << found;
-    }
+    const bool right = error <= 4 * e.sigma + rounding && (!fullRun() || error <= 1e-3 * std::abs(exact));
+    return (right ? testing::AssertionSuccess() : testing::AssertionFailure())
+           << "mean " << e.mean << ", exact " << exact << ", sigma " << e.sigma;
+}
+
+void expectMean(const Image& image, double exact, const std::string& what) {
+    EXPECT_TRUE(meanIs(image, exact)) << what;
+    EXPECT_LE(estimateMean(image).sigma, 1e-3 * std::abs(exact)) << what << ": too noisy to tell";
 }
 
 bool fullRun() { return std::getenv("GLINT_FULL") != nullptr; }

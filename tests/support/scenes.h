@@ -4,6 +4,8 @@
 #include <memory>
 #include <string>
 
+#include <gtest/gtest.h>
+
 #include "tracer/compile/compiler.h"
 #include "tracer/compile/render_scene.h"
 #include "tracer/render/render.h"
@@ -52,17 +54,22 @@ struct PixelEstimates {
 [[nodiscard]] Estimate estimateMean(const Image& image, int channel = 0);
 [[nodiscard]] Rgb pixelAt(const Image& image, int x, int y);
 
-/// Fails unless the mean over all given pixels of (estimate - exact) / sigma behaves as a standard normal should: no |z| beyond
-/// the bound of a whole suite at alpha = 1e-3 (Sidak), and their mean square near 1.
+/// A pixel's estimate, its standard error, and what it should be.
 struct PixelTest {
     double estimate = 0, sigma = 0, exact = 0;
 };
+/// Whether (estimate - exact) / sigma over the given pixels behaves as a standard normal should: no |z| beyond the bound of a
+/// whole suite at alpha = 1e-3 (Sidak), and their mean square near 1. Says what it found first.
 /// `unseen`: the most that events too rare to have been sampled could change a pixel by. The mean over all pixels, where such
 /// events are seen, must be within 4 sigma of the exact mean all the same.
+[[nodiscard]] testing::AssertionResult pixelsAre(const std::vector<PixelTest>& pixels, int seeds, double unseen);
+/// Fails unless pixelsAre().
 void expectPixels(const std::vector<PixelTest>& pixels, int seeds, double unseen, const std::string& what);
 
-/// Fails unless the picture's mean is within 4 sigma of `exact` and sigma is below 0.1 % of it; in the full form the mean itself
-/// must also be within 0.1 %.
+/// Whether the picture's mean is within 4 sigma of `exact`, and in the full form also within 0.1 %. Says what it found.
+[[nodiscard]] testing::AssertionResult meanIs(const Image& image, double exact);
+
+/// Fails unless meanIs(), and sigma is below 0.1 % of `exact`.
 void expectMean(const Image& image, double exact, const std::string& what);
 
 /// The full form of the statistical tests was asked for (GLINT_FULL=1).

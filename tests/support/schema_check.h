@@ -6,7 +6,8 @@
 
 namespace glint::test {
 
-/// Empty if `value` follows `schema`, else what does not and where. An unknown keyword in the schema is a fault too.
+/// Empty if `value` follows `schema`, else what does not and where. An unknown keyword in the
+/// schema is a fault too.
 [[nodiscard]] std::string schemaFault(const nlohmann::json& schema, const nlohmann::json& value);
 
 }  // namespace glint::test

@@ -22,12 +22,14 @@ TempFolder::~TempFolder() {
 
 fs::path TempFolder::write(std::string_view name, std::string_view content) const {
     const fs::path file = path_ / name;
-    std::ofstream(file, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
+    std::ofstream(file, std::ios::binary)
+        .write(content.data(), static_cast<std::streamsize>(content.size()));
     return file;
 }
 
 std::size_t TempFolder::count() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator{}));
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(path_), fs::directory_iterator{}));
 }
 
 std::string fileContent(const fs::path& path) {

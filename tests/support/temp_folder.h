@@ -15,7 +15,9 @@ class TempFolder {
     TempFolder& operator=(const TempFolder&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    [[nodiscard]] std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
+    [[nodiscard]] std::filesystem::path operator/(std::string_view name) const {
+        return path_ / name;
+    }
     /// Writes a file in it and gives its path.
     std::filesystem::path write(std::string_view name, std::string_view content) const;
     /// Files and folders in it, hidden ones too.

@@ -1,4 +1,5 @@
-// A few shapes as the tracer sees them, without a document: instances, their lists, and the media around a point.
+// A few shapes as the tracer sees them, without a document: instances, their lists, and the media
+// around a point.
 #pragma once
 
 #include "tests/support/rays.h"
@@ -20,12 +21,14 @@ struct World {
         scene.shapes = std::move(shapes);
         scene.lists = ShapeLists(scene.shapes);
     }
-    [[nodiscard]] SurfacePoint point(const Ray& ray, const ShapeHit& hit, const MediaStack& media = {}) const {
+    [[nodiscard]] SurfacePoint point(const Ray& ray, const ShapeHit& hit,
+                                     const MediaStack& media = {}) const {
         return surfacePoint(scene, ray, hit, media);
     }
 };
 
-/// A random unit direction with z > 0, as toFloat() of a frame's local vector gives it; grazing ones are as likely as others.
+/// A random unit direction with z > 0, as toFloat() of a frame's local vector gives it; grazing
+/// ones are as likely as others.
 [[nodiscard]] inline Vec3 randomUp(Random& random) {
     DVec3 d = random.direction();
     d.z = std::abs(d.z);

@@ -1,4 +1,5 @@
-// glint-render as a person or a script meets it: exit codes, messages, and the files that it leaves. Runs the built program.
+// glint-render as a person or a script meets it: exit codes, messages, and the files that it
+// leaves. Runs the built program.
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
@@ -24,7 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 using test::TempFolder;
 
-constexpr const char* kScene = R"({"glint": 1, "film": {"width": 24, "height": 16}, "render": {"spp": 4, "seed": 3},
+constexpr const char* kScene =
+    R"({"glint": 1, "film": {"width": 24, "height": 16}, "render": {"spp": 4, "seed": 3},
 "environment": {"color": [0.5, 0.6, 0.7]},
 "materials": [{"name": "Red", "type": "diffuse", "color": [0.7, 0.1, 0.1]}],
 "objects": [{"name": "Ball", "shape": {"type": "sphere"}, "material": "Red"}],
@@ -45,8 +47,10 @@ class Cli : public testing::Test {
         posix_spawn_file_actions_init(&actions);
         posix_spawn_file_actions_addchdir_np(&actions, folder_.path().c_str());
         posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "stdout", O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "stderr", O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "stdout",
+                                         O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "stderr",
+                                         O_WRONLY | O_CREAT | O_TRUNC, 0600);
         std::vector<std::string> words{GLINT_RENDER_PATH};
         words.insert(words.end(), arguments.begin(), arguments.end());
         std::vector<char*> argv;
@@ -61,16 +65,21 @@ class Cli : public testing::Test {
     Outcome finish(pid_t pid) const {
         int status = 0;
         waitpid(pid, &status, 0);
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), test::fileContent(folder_ / "stdout"), test::fileContent(folder_ / "stderr")};
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+                test::fileContent(folder_ / "stdout"), test::fileContent(folder_ / "stderr")};
     }
 
-    Outcome run(const std::vector<std::string>& arguments) const { return finish(start(arguments)); }
+    Outcome run(const std::vector<std::string>& arguments) const {
+        return finish(start(arguments));
+    }
 
     /// Fails unless the program ends with `code` and says `words`.
-    void expect(int code, const std::string& words, const std::vector<std::string>& arguments) const {
+    void expect(int code, const std::string& words,
+                const std::vector<std::string>& arguments) const {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.code, code) << outcome.err;
-        EXPECT_NE((outcome.out + outcome.err).find(words), std::string::npos) << "wanted: " << words << "\ngot: " << outcome.err << outcome.out;
+        EXPECT_NE((outcome.out + outcome.err).find(words), std::string::npos)
+            << "wanted: " << words << "\ngot: " << outcome.err << outcome.out;
     }
 
     TempFolder folder_;
@@ -111,13 +120,17 @@ TEST_F(Cli, WrongUsageEndsWith1) {
     expect(1, "--colour", {"scene.json", "-o", "a.exr", "--colour"});
     expect(1, "WIDTHxHEIGHT", {"scene.json", "-o", "a.exr", "--size", "12"});
     expect(1, "WIDTHxHEIGHT", {"scene.json", "-o", "a.exr", "--size", "12x12x3"});
-    expect(1, "--size: is out of range (use a number from 1 to 65536)", {"scene.json", "-o", "a.exr", "--size", "0x5"});
-    expect(1, "--spp: is out of range (use a number from 1 to 16777216)", {"scene.json", "-o", "a.exr", "--spp", "0"});
+    expect(1, "--size: is out of range (use a number from 1 to 65536)",
+           {"scene.json", "-o", "a.exr", "--size", "0x5"});
+    expect(1, "--spp: is out of range (use a number from 1 to 16777216)",
+           {"scene.json", "-o", "a.exr", "--spp", "0"});
     expect(1, "--spp", {"scene.json", "-o", "a.exr", "--spp", "many"});
-    expect(1, "--time: is out of range (use a number of at least 0)", {"scene.json", "-o", "a.exr", "--time", "-1"});
+    expect(1, "--time: is out of range (use a number of at least 0)",
+           {"scene.json", "-o", "a.exr", "--time", "-1"});
     expect(1, "--integrator", {"scene.json", "-o", "a.exr", "--integrator", "whitted"});
     expect(1, "X,Y,WIDTH,HEIGHT", {"scene.json", "-o", "a.exr", "--crop", "1,2,3"});
-    expect(1, "--crop: reaches out of the picture (the film is 24 x 16)", {"scene.json", "-o", "a.exr", "--crop", "20,0,5,5"});
+    expect(1, "--crop: reaches out of the picture (the film is 24 x 16)",
+           {"scene.json", "-o", "a.exr", "--crop", "20,0,5,5"});
     expect(1, "--pixel: there is no such sample", {"scene.json", "--pixel", "24,0,0"});
     expect(1, "/POINTER=VALUE", {"scene.json", "-o", "a.exr", "--set", "render"});
     expect(1, "did you mean \"spp\"?", {"scene.json", "-o", "a.exr", "--set", "/render/sp=3"});
@@ -131,8 +144,12 @@ TEST_F(Cli, AWrongSceneEndsWith2AndOneLine) {
     folder_.write("misspelt.json", R"({"glint": 1, "objcts": []})");
     folder_.write("twice.json", R"({"glint": 1, "film": {}, "film": {}})");
     const std::vector<std::pair<std::string, std::string>> cases{
-        {"none.json", "No such file"}, {"empty.json", "the file is empty"}, {"cut.json", "cut.json:2:"}, {"deep.json", "nested deeper"},
-        {"misspelt.json", "did you mean \"objects\"?"}, {"twice.json", "stands twice"}};
+        {"none.json", "No such file"},
+        {"empty.json", "the file is empty"},
+        {"cut.json", "cut.json:2:"},
+        {"deep.json", "nested deeper"},
+        {"misspelt.json", "did you mean \"objects\"?"},
+        {"twice.json", "stands twice"}};
     for (const auto& [name, words] : cases) {
         const Outcome outcome = run({name, "-o", "a.exr"});
         EXPECT_EQ(outcome.code, 2) << name;
@@ -150,8 +167,10 @@ TEST_F(Cli, AMissingAssetEndsWith2) {
 
 TEST_F(Cli, AnOutputThatCannotBeWrittenEndsWith3BeforeRendering) {
     const auto before = std::chrono::steady_clock::now();
-    expect(3, "none/a.exr: cannot be written", {"scene.json", "-o", "none/a.exr", "--spp", "1000000"});
-    expect(3, "none/s.json: cannot be written", {"scene.json", "-o", "a.exr", "--stats", "none/s.json", "--spp", "1000000"});
+    expect(3, "none/a.exr: cannot be written",
+           {"scene.json", "-o", "none/a.exr", "--spp", "1000000"});
+    expect(3, "none/s.json: cannot be written",
+           {"scene.json", "-o", "a.exr", "--stats", "none/s.json", "--spp", "1000000"});
     fs::create_directory(folder_ / "d.png");
     expect(3, "d.png: is a folder", {"scene.json", "-o", "d.png", "--spp", "1000000"});
     EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(20));
@@ -159,7 +178,8 @@ TEST_F(Cli, AnOutputThatCannotBeWrittenEndsWith3BeforeRendering) {
 }
 
 TEST_F(Cli, InterruptedWritesWhatThereIsAndEndsWith130) {
-    const pid_t pid = start({"scene.json", "-o", "a.exr", "--spp", "16000000", "--stats", "s.json"});
+    const pid_t pid =
+        start({"scene.json", "-o", "a.exr", "--spp", "16000000", "--stats", "s.json"});
     std::this_thread::sleep_for(std::chrono::milliseconds(700));
     kill(pid, SIGINT);
     const Outcome outcome = finish(pid);
@@ -172,7 +192,9 @@ TEST_F(Cli, InterruptedWritesWhatThereIsAndEndsWith130) {
 }
 
 TEST_F(Cli, StatsHoldTheirKeys) {
-    expect(0, "", {"scene.json", "-o", "a.exr", "--stats", "s.json", "--threads", "2", "--integrator", "classic", "--seed", "9"});
+    expect(0, "",
+           {"scene.json", "-o", "a.exr", "--stats", "s.json", "--threads", "2", "--integrator",
+            "classic", "--seed", "9"});
     const auto stats = nlohmann::json::parse(test::fileContent(folder_ / "s.json"));
     EXPECT_EQ(stats["scene"], "scene.json");
     EXPECT_EQ(stats["integrator"], "classic");
@@ -205,8 +227,10 @@ TEST_F(Cli, ExrTellsWhatItShows) {
 }
 
 TEST_F(Cli, SettingsAndOptionsChangeTheScene) {
-    expect(0, "", {"scene.json", "-o", "a.exr", "--size", "10x8", "--spp", "2", "--set", "/environment/color=[4,4,4]",
-                   "--set", "/objects/Ball/visible=false", "--set", "/lights/Key/visible=false"});
+    expect(0, "",
+           {"scene.json", "-o", "a.exr", "--size", "10x8", "--spp", "2", "--set",
+            "/environment/color=[4,4,4]", "--set", "/objects/Ball/visible=false", "--set",
+            "/lights/Key/visible=false"});
     const auto image = loadImage(folder_ / "a.exr");
     ASSERT_TRUE(image);
     EXPECT_EQ(image.value()->width, 10);
@@ -233,12 +257,16 @@ TEST_F(Cli, PixelPrintsTheSamplesOfThePicture) {
     const Outcome outcome = run({"scene.json", "--pixel", "12,8,0", "--spp", "1"});
     EXPECT_EQ(outcome.code, 0);
     std::array<float, 3> value{};
-    ASSERT_EQ(std::sscanf(outcome.out.c_str(), "%f %f %f", &value[0], &value[1], &value[2]), 3) << outcome.out;
-    for (std::size_t c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(value[c], image.value()->rgb[3 * (8 * 24 + 12) + c]);
+    ASSERT_EQ(std::sscanf(outcome.out.c_str(), "%f %f %f", &value[0], &value[1], &value[2]), 3)
+        << outcome.out;
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_FLOAT_EQ(value[c], image.value()->rgb[3 * (8 * 24 + 12) + c]);
 }
 
 TEST_F(Cli, ExposureDoublesWithEachStepInDisplayFormatsOnly) {
-    const std::vector<std::string> flat{"--set", "/environment/color=[0.1,0.1,0.1]", "--set", "/objects/Ball/visible=false", "--set", "/lights/Key/visible=false"};
+    const std::vector<std::string> flat{"--set", "/environment/color=[0.1,0.1,0.1]",
+                                        "--set", "/objects/Ball/visible=false",
+                                        "--set", "/lights/Key/visible=false"};
     const auto value = [&](const std::string& name, const std::string& ev) {
         std::vector<std::string> arguments{"scene.json", "-o", name, "--exposure", ev};
         arguments.insert(arguments.end(), flat.begin(), flat.end());
@@ -252,7 +280,9 @@ TEST_F(Cli, ExposureDoublesWithEachStepInDisplayFormatsOnly) {
 }
 
 TEST_F(Cli, WhatIsNotBuiltYetIsNamedAndDoesNotStop) {
-    expect(0, "warning: ", {"scene.json", "-o", "a.exr", "--set", R"(/objects/Ball/shape={"type": "mesh", "file": "a.obj"})"});
+    expect(0, "warning: ",
+           {"scene.json", "-o", "a.exr", "--set",
+            R"(/objects/Ball/shape={"type": "mesh", "file": "a.obj"})"});
 }
 
 }  // namespace

@@ -23,17 +23,22 @@ Image gradient() {
     Image out{kWidth, kHeight, {}};
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x)
-            out.rgb.insert(out.rgb.end(), {static_cast<float>(x) / kWidth, static_cast<float>(y) / 7.0F, 3.0F});
+            out.rgb.insert(out.rgb.end(),
+                           {static_cast<float>(x) / kWidth, static_cast<float>(y) / 7.0F, 3.0F});
     return out;
 }
 
 std::vector<unsigned char> bytes() {
     std::vector<unsigned char> out;
-    for (int i = 0; i < 3 * kWidth * kHeight; ++i) out.push_back(static_cast<unsigned char>(i % 3 == 0 ? 40 : (i / 12) % 256));
+    for (int i = 0; i < 3 * kWidth * kHeight; ++i)
+        out.push_back(static_cast<unsigned char>(i % 3 == 0 ? 40 : (i / 12) % 256));
     return out;
 }
 
-const ImageMetadata kMetadata{{"glint:sceneHash", "0123456789abcdef"}, {"glint:seed", "7"}, {"glint:spp", "64"}, {"glint:version", "0.1.0"}};
+const ImageMetadata kMetadata{{"glint:sceneHash", "0123456789abcdef"},
+                              {"glint:seed", "7"},
+                              {"glint:spp", "64"},
+                              {"glint:version", "0.1.0"}};
 
 TEST(ImageFile, ExrKeepsEveryFloatAndTheMetadata) {
     const TempFolder folder;
@@ -44,16 +49,23 @@ TEST(ImageFile, ExrKeepsEveryFloatAndTheMetadata) {
     ASSERT_TRUE(again) << again.error().text();
     EXPECT_EQ(again.value()->width, kWidth);
     EXPECT_EQ(again.value()->height, kHeight);
-    EXPECT_EQ(std::memcmp(again.value()->rgb.data(), image.rgb.data(), image.rgb.size() * sizeof(float)), 0);
+    EXPECT_EQ(
+        std::memcmp(again.value()->rgb.data(), image.rgb.data(), image.rgb.size() * sizeof(float)),
+        0);
     const auto file = loadExr(folder / "a.exr");
     ASSERT_TRUE(file);
-    for (const auto& [key, value] : kMetadata) EXPECT_EQ(file.value().metadata.at(key), value) << key;
+    for (const auto& [key, value] : kMetadata)
+        EXPECT_EQ(file.value().metadata.at(key), value) << key;
     EXPECT_EQ(folder.count(), 1u);
 }
 
 TEST(ImageFile, ExrKeepsAnyChannels) {
     const TempFolder folder;
-    ExrFile file{2, 2, {{"albedo.G", {1, 2, 3, 4}}, {"depth.Z", {5, 6, 7, std::numeric_limits<float>::infinity()}}}, {}};
+    ExrFile file{2,
+                 2,
+                 {{"albedo.G", {1, 2, 3, 4}},
+                  {"depth.Z", {5, 6, 7, std::numeric_limits<float>::infinity()}}},
+                 {}};
     ASSERT_TRUE(saveExr(folder / "a.exr", file));
     const auto again = loadExr(folder / "a.exr");
     ASSERT_TRUE(again) << again.error().text();
@@ -67,7 +79,8 @@ TEST(ImageFile, ExrKeepsAnyChannels) {
 
 TEST(ImageFile, ExrOfOneLayerOrGreyGivesColours) {
     const TempFolder folder;
-    ASSERT_TRUE(saveExr(folder / "layer.exr", {1, 1, {{"beauty.R", {1}}, {"beauty.G", {2}}, {"beauty.B", {3}}}, {}}));
+    ASSERT_TRUE(saveExr(folder / "layer.exr",
+                        {1, 1, {{"beauty.R", {1}}, {"beauty.G", {2}}, {"beauty.B", {3}}}, {}}));
     EXPECT_EQ(loadImage(folder / "layer.exr").value()->rgb, (std::vector<float>{1, 2, 3}));
     ASSERT_TRUE(saveExr(folder / "grey.exr", {1, 1, {{"Y", {4}}}, {}}));
     EXPECT_EQ(loadImage(folder / "grey.exr").value()->rgb, (std::vector<float>{4, 4, 4}));
@@ -80,10 +93,12 @@ TEST(ImageFile, HdrKeepsLightToItsPrecision) {
     const auto again = loadImage(folder / "a.hdr");
     ASSERT_TRUE(again) << again.error().text();
     ASSERT_EQ(again.value()->rgb.size(), image.rgb.size());
-    // RGBE has 8 bits for the largest channel of a pixel, 10 in the last row: an error of 1/128 of it.
+    // RGBE has 8 bits for the largest channel of a pixel, 10 in the last row: an error of 1/128 of
+    // it.
     for (std::size_t i = 0; i < image.rgb.size(); ++i) {
         const std::size_t pixel = i / 3 * 3;
-        const float largest = std::max({image.rgb[pixel], image.rgb[pixel + 1], image.rgb[pixel + 2]});
+        const float largest =
+            std::max({image.rgb[pixel], image.rgb[pixel + 1], image.rgb[pixel + 2]});
         ASSERT_NEAR(again.value()->rgb[i], image.rgb[i], largest / 128);
     }
 }
@@ -109,12 +124,15 @@ TEST_P(LosslessBytes, ComeBackAsLinearLight) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ImageFile, LosslessBytes, testing::Values(".png", ".tif", ".tiff", ".PNG"),
-                         [](const auto& test) { return std::string(test.param + 1) + std::to_string(test.index); });
+                         [](const auto& test) {
+                             return std::string(test.param + 1) + std::to_string(test.index);
+                         });
 
 TEST(ImageFile, JpegIsNearAndKeepsTheMetadata) {
     const TempFolder folder;
     std::vector<unsigned char> display(3 * 64 * 64);
-    for (std::size_t i = 0; i < display.size(); ++i) display[i] = static_cast<unsigned char>(60 + 30 * (i % 3) + i / 3 % 64);
+    for (std::size_t i = 0; i < display.size(); ++i)
+        display[i] = static_cast<unsigned char>(60 + 30 * (i % 3) + i / 3 % 64);
     for (const char* name : {"a.jpg", "b.JPEG"}) {
         ASSERT_TRUE(saveDisplay(folder / name, 64, 64, display, kMetadata));
         const auto again = loadImage(folder / name, ColorSpace::Linear);
@@ -127,14 +145,16 @@ TEST(ImageFile, JpegIsNearAndKeepsTheMetadata) {
 
 /// A 2 x 1 grey PNG of 16 bits a channel, with alpha: (0x8000, half transparent), (0xFFFF, opaque).
 constexpr unsigned char kGreyAlpha16[] = {
-    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00, 0x00, 0x02,
-    0x00, 0x00, 0x00, 0x01, 0x10, 0x04, 0x00, 0x00, 0x00, 0x0e, 0xbb, 0x6b, 0x42, 0x00, 0x00, 0x00, 0x0f, 0x49, 0x44, 0x41,
-    0x54, 0x78, 0xda, 0x63, 0x68, 0x60, 0x68, 0x60, 0xf8, 0x0f, 0x04, 0x00, 0x10, 0xff, 0x04, 0xfd, 0xda, 0x22, 0x37, 0xce,
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44,
+    0x52, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x10, 0x04, 0x00, 0x00, 0x00, 0x0e,
+    0xbb, 0x6b, 0x42, 0x00, 0x00, 0x00, 0x0f, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0x68,
+    0x60, 0x68, 0x60, 0xf8, 0x0f, 0x04, 0x00, 0x10, 0xff, 0x04, 0xfd, 0xda, 0x22, 0x37, 0xce,
     0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
 
 TEST(ImageFile, SixteenBitsAreReadAndAlphaIsDroppedUnmultiplied) {
     const TempFolder folder;
-    const auto path = folder.write("a.png", {reinterpret_cast<const char*>(kGreyAlpha16), sizeof(kGreyAlpha16)});
+    const auto path =
+        folder.write("a.png", {reinterpret_cast<const char*>(kGreyAlpha16), sizeof(kGreyAlpha16)});
     const auto image = loadImage(path, ColorSpace::Linear);
     ASSERT_TRUE(image) << image.error().text();
     ASSERT_EQ(image.value()->rgb.size(), 6u);
@@ -148,7 +168,8 @@ TEST(ImageFile, KnowsItsFormats) {
     EXPECT_TRUE(isLinearFormat("a/b.exr"));
     EXPECT_TRUE(isLinearFormat("b.HDR"));
     EXPECT_FALSE(isLinearFormat("b.png"));
-    for (const std::string& ending : writableEndings()) EXPECT_TRUE(isWritableFormat("x" + ending)) << ending;
+    for (const std::string& ending : writableEndings())
+        EXPECT_TRUE(isWritableFormat("x" + ending)) << ending;
     EXPECT_FALSE(isWritableFormat("x"));
     EXPECT_FALSE(isWritableFormat("x.gif"));
     EXPECT_FALSE(isWritableFormat(".exr"));
@@ -159,7 +180,8 @@ TEST(ImageFile, WhatIsNoPictureIsAnError) {
     EXPECT_EQ(loadImage(folder / "none.png").error().message, "there is no such file");
     EXPECT_EQ(loadImage(folder.path()).error().message, "is not a file");
     for (const char* name : {"a.exr", "a.png", "a.jpg", "a.hdr", "a.tif", "a.xyz"}) {
-        for (const std::string& content : {std::string(), std::string("hello"), std::string(100000, '\x7F')}) {
+        for (const std::string& content :
+             {std::string(), std::string("hello"), std::string(100000, '\x7F')}) {
             const auto image = loadImage(folder.write(name, content));
             ASSERT_FALSE(image) << name;
             EXPECT_EQ(image.error().file, (folder / name).string());
@@ -180,7 +202,9 @@ TEST(ImageFile, BrokenFilesNeverCrash) {
         int errors = 0;
         for (int round = 0; round < 100; ++round) {
             std::string broken = good.substr(0, round % 2 ? good.size() : random() % good.size());
-            for (int i = 0; i < 4 && !broken.empty(); ++i) broken[random() % std::min<std::size_t>(broken.size(), 600)] = static_cast<char>(random());
+            for (int i = 0; i < 4 && !broken.empty(); ++i)
+                broken[random() % std::min<std::size_t>(broken.size(), 600)] =
+                    static_cast<char>(random());
             errors += loadImage(folder.write(std::string("broken") + name, broken)) ? 0 : 1;
         }
         EXPECT_GT(errors, 20) << name;
@@ -192,7 +216,8 @@ TEST(ImageFile, ValuesThatAreNotFiniteAreNamed) {
     Image image = gradient();
     image.rgb[3 * (2 * kWidth + 5) + 1] = std::numeric_limits<float>::quiet_NaN();
     ASSERT_TRUE(saveLinear(folder / "a.exr", image, {}));
-    EXPECT_EQ(loadImage(folder / "a.exr").error().message, "has a value that is not finite, at pixel 5, 2");
+    EXPECT_EQ(loadImage(folder / "a.exr").error().message,
+              "has a value that is not finite, at pixel 5, 2");
 }
 
 TEST(ImageFile, AHeaderThatClaimsTooMuchIsRefused) {
@@ -204,12 +229,14 @@ TEST(ImageFile, AHeaderThatClaimsTooMuchIsRefused) {
     content.replace(content.find(size), size.size(), "-Y 60000 +X 60000");
     const auto image = loadImage(folder.write("b.hdr", content));
     ASSERT_FALSE(image);
-    EXPECT_NE(image.error().message.find("more than 1 Gpixel"), std::string::npos) << image.error().text();
+    EXPECT_NE(image.error().message.find("more than 1 Gpixel"), std::string::npos)
+        << image.error().text();
 }
 
 TEST(ImageFile, WritingNowhereIsAnErrorAndLeavesNothing) {
     const TempFolder folder;
-    for (const char* name : {"none/a.exr", "none/a.hdr"}) EXPECT_FALSE(saveLinear(folder / name, gradient(), {}));
+    for (const char* name : {"none/a.exr", "none/a.hdr"})
+        EXPECT_FALSE(saveLinear(folder / name, gradient(), {}));
     EXPECT_FALSE(saveDisplay(folder / "none/a.png", kWidth, kHeight, bytes(), {}));
     fs::create_directory(folder / "a.exr");
     EXPECT_EQ(saveLinear(folder / "a.exr", gradient(), {}).error().message, "is a folder");

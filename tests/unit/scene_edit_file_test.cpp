@@ -67,10 +67,17 @@ TEST(SceneInPart, SaysWhatLostSomething) {
         all += error.text() + "\n";
     }
     EXPECT_NE(all.find("a.json:2:19: /film/width: -3 is too small"), std::string::npos) << all;
-    EXPECT_NE(all.find("a.json:11:58: /objects/0/material: \"a\" lost its material, which was left out"), std::string::npos) << all;
-    EXPECT_NE(all.find("/objects/2/parent: \"c\" lost its group, which was left out"), std::string::npos) << all;
+    EXPECT_NE(
+        all.find("a.json:11:58: /objects/0/material: \"a\" lost its material, which was left out"),
+        std::string::npos)
+        << all;
+    EXPECT_NE(all.find("/objects/2/parent: \"c\" lost its group, which was left out"),
+              std::string::npos)
+        << all;
     EXPECT_NE(all.find("/materials/2/color: lost its texture"), std::string::npos) << all;
-    EXPECT_NE(all.find("/materials/3/a: lost its material, which was left out; it is clear now"), std::string::npos) << all;
+    EXPECT_NE(all.find("/materials/3/a: lost its material, which was left out; it is clear now"),
+              std::string::npos)
+        << all;
     EXPECT_NE(all.find("/extra: unknown field"), std::string::npos) << all;
 }
 
@@ -130,7 +137,8 @@ TEST(SaveScene, RefusesFoldersDevicesAndMissingPlaces) {
     const TempFolder folder;
     EXPECT_EQ(saveScene({}, folder.path()).error().message, "is a folder");
     EXPECT_EQ(saveScene({}, "/dev/null").error().message, "is not a file");
-    EXPECT_EQ(saveScene({}, folder / "none/a.json").error().message, "cannot be written: No such file or directory");
+    EXPECT_EQ(saveScene({}, folder / "none/a.json").error().message,
+              "cannot be written: No such file or directory");
 }
 
 TEST(SaveScene, FollowsLinksAndKeepsPermissions) {
@@ -168,24 +176,36 @@ TEST(Setting, ChangesOneValueByIndexOrName) {
 
 TEST(Setting, TakesJsonOrElseText) {
     const Scene scene = ballAndMirror();
-    EXPECT_EQ(withSetting(scene, "/render/integrator", "classic").value().render.integrator, Integrator::Classic);
-    EXPECT_EQ(withSetting(scene, "/render/integrator", "\"classic\"").value().render.integrator, Integrator::Classic);
-    EXPECT_EQ(withSetting(scene, "/environment/color", "[1, 2, 3]").value().environment.color, (Color{1, 2, 3}));
-    EXPECT_EQ(withSetting(scene, "/objects/Ball/emission/1", "7").value().objects.at({2}).emission, (Color{0, 7, 0}));
-    EXPECT_EQ(withSetting(scene, "/environment/sky/turbidity", "5").value().environment.sky->turbidity, 5);
+    EXPECT_EQ(withSetting(scene, "/render/integrator", "classic").value().render.integrator,
+              Integrator::Classic);
+    EXPECT_EQ(withSetting(scene, "/render/integrator", "\"classic\"").value().render.integrator,
+              Integrator::Classic);
+    EXPECT_EQ(withSetting(scene, "/environment/color", "[1, 2, 3]").value().environment.color,
+              (Color{1, 2, 3}));
+    EXPECT_EQ(withSetting(scene, "/objects/Ball/emission/1", "7").value().objects.at({2}).emission,
+              (Color{0, 7, 0}));
+    EXPECT_EQ(
+        withSetting(scene, "/environment/sky/turbidity", "5").value().environment.sky->turbidity,
+        5);
 }
 
 TEST(Setting, ErrorsNameThePointerAndSuggest) {
     const Scene scene = ballAndMirror();
-    EXPECT_EQ(withSetting(scene, "/render/sp", "4").error().text(), "/render/sp: unknown field \"sp\" (did you mean \"spp\"?)");
-    EXPECT_EQ(withSetting(scene, "/objects/Bal/visible", "true").error().text(), "/objects/Bal/visible: there is no \"Bal\" (did you mean \"Ball\"?)");
-    EXPECT_EQ(withSetting(scene, "/objects/7/visible", "true").error().message, "there is no \"7\"");
-    EXPECT_EQ(withSetting(scene, "/render/spp", "many").error().message, "expected a number, found a string");
+    EXPECT_EQ(withSetting(scene, "/render/sp", "4").error().text(),
+              "/render/sp: unknown field \"sp\" (did you mean \"spp\"?)");
+    EXPECT_EQ(withSetting(scene, "/objects/Bal/visible", "true").error().text(),
+              "/objects/Bal/visible: there is no \"Bal\" (did you mean \"Ball\"?)");
+    EXPECT_EQ(withSetting(scene, "/objects/7/visible", "true").error().message,
+              "there is no \"7\"");
+    EXPECT_EQ(withSetting(scene, "/render/spp", "many").error().message,
+              "expected a number, found a string");
     EXPECT_EQ(withSetting(scene, "/render/spp", "0").error().pointer, "/render/spp");
     EXPECT_EQ(withSetting(scene, "render/spp", "4").error().message, "is not a pointer to a value");
     EXPECT_EQ(withSetting(scene, "", "4").error().message, "is not a pointer to a value");
-    EXPECT_EQ(withSetting(scene, "/render/spp/x", "4").error().message, "the value before \"x\" has no fields");
-    EXPECT_EQ(withSetting(scene, "/objects/Ball/material", "Miror").error().remedy, "did you mean \"Mirror\"?");
+    EXPECT_EQ(withSetting(scene, "/render/spp/x", "4").error().message,
+              "the value before \"x\" has no fields");
+    EXPECT_EQ(withSetting(scene, "/objects/Ball/material", "Miror").error().remedy,
+              "did you mean \"Mirror\"?");
 }
 
 TEST(Setting, EveryScalarOfARandomSceneCanBeSetToItsOwnValue) {
@@ -204,9 +224,11 @@ Scene withDependencies() {
     const TextureId texture = scene.textures.add({.name = "Checker", .type = TextureType::Checker});
     Diffuse textured;
     textured.color.texture = texture;
-    const MaterialId a = scene.materials.add({"A", textured}), b = scene.materials.add({"B", Glass{}});
+    const MaterialId a = scene.materials.add({"A", textured}),
+                     b = scene.materials.add({"B", Glass{}});
     const MaterialId mix = scene.materials.add({"Mix", Mix{{a, false}, {b, false}, {0.25}}});
-    const GroupId outer = scene.groups.add({.name = "Outer", .transform = {.translate = {1, 2, 3}}});
+    const GroupId outer =
+        scene.groups.add({.name = "Outer", .transform = {.translate = {1, 2, 3}}});
     const GroupId inner = scene.groups.add({.name = "Inner", .parent = outer});
     scene.objects.add({.name = "Ball", .material = mix, .parent = inner});
     return scene;

@@ -25,7 +25,8 @@ std::string errorOf(const std::string& content) {
 
 std::string validFile() {
     Scene scene;
-    for (int i = 0; i < 20; ++i) scene.objects.add({.name = "Ball " + std::to_string(i), .emission = {0.1, 0.2, 0.3}});
+    for (int i = 0; i < 20; ++i)
+        scene.objects.add({.name = "Ball " + std::to_string(i), .emission = {0.1, 0.2, 0.3}});
     return formatScene(scene);
 }
 
@@ -48,7 +49,8 @@ TEST(HostileScene, EveryTruncationIsAnError) {
 
 TEST(HostileScene, TruncationNamesTheEnd) {
     EXPECT_EQ(errorOf("{\"glint\": 1,\n \"film\": {\"width\""),
-              "a.json:2:18: syntax error while parsing object separator - unexpected end of input; expected ':' "
+              "a.json:2:18: syntax error while parsing object separator - unexpected end of input; "
+              "expected ':' "
               "(correct the JSON here: text in double quotes, finite numbers, no comments)");
 }
 
@@ -75,7 +77,8 @@ TEST(HostileScene, ChangedBytesNeverCrash) {
 TEST(HostileScene, DeepNesting) {
     const std::string reason = "nested deeper than 128 levels (a scene needs fewer than ten)";
     EXPECT_EQ(errorOf(repeated("[", 200000)), "a.json:1:129: " + reason);
-    EXPECT_EQ(errorOf("{\"glint\": 1,\n\"editor\": " + repeated("{\"a\":", 200000)), "a.json:2:646: " + reason);
+    EXPECT_EQ(errorOf("{\"glint\": 1,\n\"editor\": " + repeated("{\"a\":", 200000)),
+              "a.json:2:646: " + reason);
     EXPECT_EQ(errorOf(repeated("[", 200000) + repeated("]", 200000)), "a.json:1:129: " + reason);
 }
 
@@ -87,7 +90,8 @@ TEST(HostileScene, OtherEncodings) {
 
 TEST(HostileScene, MissingFileAndFolder) {
     const TempFolder folder;
-    EXPECT_EQ(loadScene(folder / "none.json").error().message, "cannot be read: No such file or directory");
+    EXPECT_EQ(loadScene(folder / "none.json").error().message,
+              "cannot be read: No such file or directory");
     EXPECT_EQ(loadScene(folder.path()).error().message, "is a folder");
     EXPECT_EQ(loadScene(folder.path()).error().file, folder.path().string());
 }
@@ -97,22 +101,31 @@ TEST(HostileScene, LongChainsDoNotOverflowTheStack) {
     constexpr int kLength = 20000;
     for (int i = 0; i < kLength; ++i) {
         const std::string name = std::to_string(i), next = std::to_string(i + 1);
-        groups += (i ? "," : "") + ("{\"name\": \"" + name + "\"") + (i + 1 < kLength ? ", \"parent\": \"" + next + "\"}" : "}");
-        materials += (i ? "," : "") + ("{\"name\": \"" + name + "\", \"type\": \"mix\", \"a\": \"clear\", \"b\": \"") + (i + 1 < kLength ? next : "clear") + "\"}";
+        groups += (i ? "," : "") + ("{\"name\": \"" + name + "\"") +
+                  (i + 1 < kLength ? ", \"parent\": \"" + next + "\"}" : "}");
+        materials +=
+            (i ? "," : "") +
+            ("{\"name\": \"" + name + "\", \"type\": \"mix\", \"a\": \"clear\", \"b\": \"") +
+            (i + 1 < kLength ? next : "clear") + "\"}";
     }
     EXPECT_TRUE(parseScene("{\"glint\": 1, \"groups\": [" + groups + "]}", "a"));
-    EXPECT_EQ(parseScene("{\"glint\": 1, \"materials\": [" + materials + "]}", "a").error().message, "the mix blends more than 256 materials");
+    EXPECT_EQ(parseScene("{\"glint\": 1, \"materials\": [" + materials + "]}", "a").error().message,
+              "the mix blends more than 256 materials");
 }
 
-// The costs of names, keys, references and errors grow with the file, not with its square: the quadratic forms of these
-// would take minutes.
+// The costs of names, keys, references and errors grow with the file, not with its square: the
+// quadratic forms of these would take minutes.
 TEST(HostileScene, LargeFilesAreReadInTimeProportionalToTheirSize) {
     constexpr int kCount = 100000;
     std::string text = "{\"glint\": 1, \"materials\": [";
-    for (int i = 0; i < kCount; ++i) text += (i ? "," : "") + ("{\"name\": \"m" + std::to_string(i) + "\", \"type\": \"mirror\"}");
+    for (int i = 0; i < kCount; ++i)
+        text +=
+            (i ? "," : "") + ("{\"name\": \"m" + std::to_string(i) + "\", \"type\": \"mirror\"}");
     text += "], \"objects\": [";
     for (int i = 0; i < kCount; ++i)
-        text += (i ? "," : "") + ("{\"name\": \"o" + std::to_string(i) + "\", \"shape\": {\"type\": \"sphere\"}, \"material\": \"m" + std::to_string(kCount - 1 - i) + "\"}");
+        text += (i ? "," : "") + ("{\"name\": \"o" + std::to_string(i) +
+                                  "\", \"shape\": {\"type\": \"sphere\"}, \"material\": \"m" +
+                                  std::to_string(kCount - 1 - i) + "\"}");
     const std::string good = text + "], \"editor\": {";
     std::string keys;
     for (int i = 0; i < kCount; ++i) keys += (i ? "," : "") + ("\"" + std::to_string(i) + "\": 0");
@@ -121,7 +134,9 @@ TEST(HostileScene, LargeFilesAreReadInTimeProportionalToTheirSize) {
     EXPECT_EQ(scene.value().objects.size(), static_cast<std::size_t>(kCount));
 
     std::string bad = good + "}}";
-    for (std::size_t at = bad.find("\"material\": \"m"); at != std::string::npos; at = bad.find("\"material\": \"m", at + 1)) bad[at + 13] = 'x';
+    for (std::size_t at = bad.find("\"material\": \"m"); at != std::string::npos;
+         at = bad.find("\"material\": \"m", at + 1))
+        bad[at + 13] = 'x';
     const TempFolder folder;
     const auto partial = loadSceneInPart(folder.write("bad.json", bad));
     ASSERT_TRUE(partial);

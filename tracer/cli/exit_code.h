@@ -5,9 +5,9 @@ namespace glint {
 
 enum class ExitCode {
     Done = 0,
-    Usage = 1,        ///< the command line is wrong
-    Scene = 2,        ///< the scene or one of its files is wrong
-    Output = 3,       ///< the picture or the statistics cannot be written
+    Usage = 1,          ///< the command line is wrong
+    Scene = 2,          ///< the scene or one of its files is wrong
+    Output = 3,         ///< the picture or the statistics cannot be written
     Interrupted = 130,  ///< by Ctrl-C; what there was has been written
 };
 

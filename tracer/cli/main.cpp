@@ -9,11 +9,10 @@
 #include "tracer/cli/interrupt.h"
 #include "tracer/cli/options.h"
 #include "tracer/cli/progress.h"
-#include "tracer/color/display.h"
 #include "tracer/compile/compiler.h"
 #include "tracer/io/atomic_file.h"
-#include "tracer/io/image_file.h"
 #include "tracer/io/render_stats.h"
+#include "tracer/io/rendering_file.h"
 #include "tracer/io/scene_json.h"
 #include "tracer/render/render.h"
 
@@ -33,43 +32,19 @@ std::uint64_t peakMemoryBytes() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-/// 8-bit sRGB of a linear picture.
-std::vector<unsigned char> displayed(const Image& image, const Display& display) {
-    const DisplayTransform transform({display.exposureEv, display.view});
-    std::vector<unsigned char> out(image.rgb.size());
-    for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3) {
-        const std::uint32_t argb = transform.apply({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]});
-        out[i] = static_cast<unsigned char>(argb >> 16U);
-        out[i + 1] = static_cast<unsigned char>(argb >> 8U);
-        out[i + 2] = static_cast<unsigned char>(argb);
-    }
-    return out;
-}
-
-ImageMetadata metadataFor(const Scene& scene, const Rendering& rendering) {
-    return {{"glint:sceneHash", sceneHash(scene)},
-            {"glint:seed", std::to_string(scene.render.seed)},
-            {"glint:spp", std::to_string(rendering.spp)},
-            {"glint:version", GLINT_VERSION}};
-}
-
-Status savePicture(const Options& options, const Scene& scene, const Rendering& rendering) {
-    const ImageMetadata metadata = metadataFor(scene, rendering);
-    const Image& image = rendering.beauty;
-    if (isLinearFormat(options.output)) return saveLinear(options.output, image, metadata);
-    return saveDisplay(options.output, image.width, image.height, displayed(image, scene.display), metadata);
-}
-
-RenderStats statsFor(const Options& options, const Scene& scene, const Compiled& compiled, const Rendering& rendering) {
+RenderStats statsFor(const Options& options, const Scene& scene, const Compiled& compiled,
+                     const Rendering& rendering) {
     RenderStats out;
     out.scene = options.scene.string();
-    out.integrator = enumNames(scene.render.integrator)[static_cast<std::size_t>(scene.render.integrator)];
+    out.integrator =
+        enumNames(scene.render.integrator)[static_cast<std::size_t>(scene.render.integrator)];
     out.width = scene.film.width;
     out.height = scene.film.height;
     out.spp = rendering.spp;
     out.threads = rendering.threads;
     out.seed = scene.render.seed;
     out.renderSeconds = rendering.seconds;
+    out.errorPercent = 100 * rendering.error;
     out.primaryRays = rendering.rays.primary;
     out.shadowRays = rendering.rays.shadow;
     out.scatterRays = rendering.rays.scatter;
@@ -78,7 +53,8 @@ RenderStats statsFor(const Options& options, const Scene& scene, const Compiled&
     out.kernel = kernelName(*compiled.scene);
     out.peakMemoryBytes = peakMemoryBytes();
     out.interrupted = rendering.interrupted;
-    for (const CompileWarning& warning : compiled.warnings) out.warnings.push_back(warning.error.text());
+    for (const CompileWarning& warning : compiled.warnings)
+        out.warnings.push_back(warning.error.text());
     return out;
 }
 
@@ -95,10 +71,12 @@ bool reportWarnings(const Compiled& compiled) {
 
 void reportNonfinite(const Options& options, const Rendering& rendering) {
     if (rendering.nonfiniteSamples == 0) return;
-    std::string text = "warning: " + std::to_string(rendering.nonfiniteSamples) + " samples were not finite and do not count";
+    std::string text = "warning: " + std::to_string(rendering.nonfiniteSamples) +
+                       " samples were not finite and do not count";
     if (const auto& place = rendering.firstNonfinite)
-        text += "; the first: glint-render " + options.scene.string() + " --pixel " + std::to_string(place->x) + "," +
-                std::to_string(place->y) + "," + std::to_string(place->sample);
+        text += "; the first: glint-render " + options.scene.string() + " --pixel " +
+                std::to_string(place->x) + "," + std::to_string(place->y) + "," +
+                std::to_string(place->sample);
     say(text);
 }
 
@@ -113,15 +91,18 @@ std::optional<Error> outputProblem(const Options& options) {
 
 ExitCode printPixel(const RenderScene& scene, const SamplePlace& place) {
     const Rgb value = renderSample(scene, place);
-    std::printf("%.9g %.9g %.9g\n", static_cast<double>(value.x), static_cast<double>(value.y), static_cast<double>(value.z));
+    std::printf("%.9g %.9g %.9g\n", static_cast<double>(value.x), static_cast<double>(value.y),
+                static_cast<double>(value.z));
     return ExitCode::Done;
 }
 
-Rendering renderWithProgress(const Options& options, const Compiled& compiled, const std::atomic<bool>& stop) {
+Rendering renderWithProgress(const Options& options, const Compiled& compiled,
+                             const std::atomic<bool>& stop) {
     ProgressBar bar(options.quiet ? ProgressBar::Mode::Off : ProgressBar::Mode::Automatic);
     RenderRequest request;
     request.threads = options.threads;
     request.crop = options.crop;
+    request.layers = options.layers;
     request.stop = &stop;
     request.progress = [&](const RenderProgress& progress) { bar.show(progress); };
     Rendering rendering = render(compiled.scene, request);
@@ -130,15 +111,15 @@ Rendering renderWithProgress(const Options& options, const Compiled& compiled, c
 }
 
 /// Renders, writes the picture and the statistics, and says how it went.
-ExitCode renderToFiles(const Options& options, const Scene& scene, const Compiled& compiled, double setupSeconds,
-                       const std::atomic<bool>& stop) {
+ExitCode renderToFiles(const Options& options, const Scene& scene, const Compiled& compiled,
+                       double setupSeconds, const std::atomic<bool>& stop) {
     const Rendering rendering = renderWithProgress(options, compiled, stop);
     if (rendering.interrupted && rendering.rays.primary == 0) {
         say("interrupted before the first sample; nothing was written");
         return ExitCode::Interrupted;
     }
     reportNonfinite(options, rendering);
-    Status saved = savePicture(options, scene, rendering);
+    Status saved = saveRendering(options.output, scene, rendering);
     if (saved && !options.stats.empty()) {
         RenderStats stats = statsFor(options, scene, compiled, rendering);
         stats.setupSeconds = setupSeconds;
@@ -152,7 +133,8 @@ ExitCode renderToFiles(const Options& options, const Scene& scene, const Compile
     if (rendering.interrupted)
         say("interrupted; wrote " + options.output.string() + " with " + samples);
     else if (!options.quiet)
-        say("wrote " + options.output.string() + ", " + samples + " in " + clockText(rendering.seconds));
+        say("wrote " + options.output.string() + ", " + samples + " in " +
+            clockText(rendering.seconds));
     return rendering.interrupted ? ExitCode::Interrupted : ExitCode::Done;
 }
 

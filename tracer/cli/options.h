@@ -20,6 +20,7 @@ struct Options {
     std::optional<std::pair<int, int>> size;
     std::optional<int> spp;
     std::optional<double> timeSeconds;
+    std::optional<double> errorPercent;
     std::optional<Integrator> integrator;
     std::optional<int> seed;
     int threads = 0;  ///< 0: as many as there are processors
@@ -27,12 +28,13 @@ struct Options {
     std::optional<SamplePlace> pixel;
     std::vector<std::pair<std::string, std::string>> settings;  ///< JSON pointer, value
     std::optional<double> exposureEv;
+    bool layers = false;
     bool quiet = false;
     bool schema = false;
 };
 
-/// The program's options, or the exit code where it is to end at once: after --help and --version, or with a message on
-/// stderr about what is wrong.
+/// The program's options, or the exit code where it is to end at once: after --help and --version,
+/// or with a message on stderr about what is wrong.
 [[nodiscard]] std::variant<Options, int> parseOptions(int argc, char** argv);
 
 /// The scene as the options want it. Errors are about options.

@@ -9,7 +9,8 @@
 
 namespace glint {
 
-ProgressBar::ProgressBar(Mode mode) : active_(mode == Mode::Automatic && isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(Mode mode)
+    : active_(mode == Mode::Automatic && isatty(STDERR_FILENO) == 1) {}
 
 void ProgressBar::show(const RenderProgress& progress) {
     if (!active_) return;
@@ -32,8 +33,8 @@ std::string progressLine(const RenderProgress& progress) {
     const int filled = static_cast<int>(fraction * kWidth);
     std::string out = "[" + std::string(static_cast<std::size_t>(filled), '#') +
                       std::string(static_cast<std::size_t>(kWidth - filled), '-') + "] ";
-    out += std::to_string(static_cast<int>(fraction * 100)) + " %  " + std::to_string(progress.spp) + "/" +
-           std::to_string(progress.sppTarget) + " spp  ";
+    out += std::to_string(static_cast<int>(fraction * 100)) + " %  " +
+           std::to_string(progress.spp) + "/" + std::to_string(progress.sppTarget) + " spp  ";
     return out + (fraction > 0 ? clockText(progress.remainingSeconds) + " left" : "");
 }
 
@@ -42,7 +43,8 @@ std::string clockText(double seconds) {
     const auto whole = static_cast<long long>(std::ceil(std::clamp(seconds, 0.0, kLongest)));
     std::array<char, 48> text{};
     if (whole >= 3600)
-        std::snprintf(text.data(), text.size(), "%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60, whole % 60);
+        std::snprintf(text.data(), text.size(), "%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60,
+                      whole % 60);
     else
         std::snprintf(text.data(), text.size(), "%lld:%02lld", whole / 60, whole % 60);
     return text.data();

@@ -23,7 +23,9 @@ constexpr std::size_t kParallelFrom = 20000;
 struct Bounds {
     DVec3 lower{kInfinity}, upper{-kInfinity};
     void add(const DVec3& p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
-    void add(const Bounds& b) { lower = glm::min(lower, b.lower), upper = glm::max(upper, b.upper); }
+    void add(const Bounds& b) {
+        lower = glm::min(lower, b.lower), upper = glm::max(upper, b.upper);
+    }
     void add(const BoundedShape& s) {
         const DVec3 half(s.half[0], s.half[1], s.half[2]);
         lower = glm::min(lower, s.center - half), upper = glm::max(upper, s.center + half);
@@ -42,7 +44,9 @@ struct Range {
     [[nodiscard]] bool isLeaf() const { return count() <= kBlockSize && !(balls && boxes); }
 };
 
-double blocks(std::uint32_t count) { return static_cast<double>((count + kBlockSize - 1) / kBlockSize); }
+double blocks(std::uint32_t count) {
+    return static_cast<double>((count + kBlockSize - 1) / kBlockSize);
+}
 
 class Builder {
   public:
@@ -77,7 +81,8 @@ class Builder {
         }
     };
 
-    /// Where the surface-area heuristic cuts: shapes in bins below `cut` go left. 0: no cut parts them.
+    /// Where the surface-area heuristic cuts: shapes in bins below `cut` go left. 0: no cut parts
+    /// them.
     int chooseCut(const Range& r, const Binning& binning) const {
         std::array<Bounds, kBins> bounds;
         std::array<std::uint32_t, kBins> counts{};
@@ -116,17 +121,21 @@ class Builder {
     /// Parts a range in two, none of them empty.
     std::pair<Range, Range> split(const Range& r, int depth) {
         if (r.balls && r.boxes && r.count() <= kPartByKind) {
-            const auto middle = part(r, [](const BoundedShape& s) { return (s.index & kBallBit) != 0; });
+            const auto middle =
+                part(r, [](const BoundedShape& s) { return (s.index & kBallBit) != 0; });
             return {measure(r.begin, middle), measure(middle, r.end)};
         }
         Bounds centers;
         for (const BoundedShape& s : shapes_.subspan(r.begin, r.count())) centers.add(s.center);
         const DVec3 extent = centers.upper - centers.lower;
-        const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+        const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0
+                         : extent.y >= extent.z                       ? 1
+                                                                      : 2;
         const Binning binning{axis, centers.lower[axis], kBins * (1 - 1e-9) / extent[axis]};
         if (depth < kMedianDepth && std::isfinite(binning.scale)) {
             if (const int cut = chooseCut(r, binning); cut > 0) {
-                const auto middle = part(r, [&](const BoundedShape& s) { return binning.bin(s) < cut; });
+                const auto middle =
+                    part(r, [&](const BoundedShape& s) { return binning.bin(s) < cut; });
                 return {measure(r.begin, middle), measure(middle, r.end)};
             }
         }
@@ -138,24 +147,29 @@ class Builder {
         const std::uint32_t half = (r.count() / 2 + kBlockSize - 1) / kBlockSize * kBlockSize;
         const auto list = shapes_.subspan(r.begin, r.count());
         std::nth_element(list.begin(), list.begin() + half, list.end(),
-                         [axis](const BoundedShape& a, const BoundedShape& b) { return a.center[axis] < b.center[axis]; });
+                         [axis](const BoundedShape& a, const BoundedShape& b) {
+                             return a.center[axis] < b.center[axis];
+                         });
         return {measure(r.begin, r.begin + half), measure(r.begin + half, r.end)};
     }
 
-    /// Splits the largest part until there are eight or all are leaves. In the order of their shapes.
+    /// Splits the largest part until there are eight or all are leaves. In the order of their
+    /// shapes.
     std::vector<Range> partition(const Range& r, int depth) {
         std::vector<Range> parts{r};
         while (parts.size() < kBlockSize) {
-            const auto largest = std::max_element(parts.begin(), parts.end(), [](const Range& a, const Range& b) {
-                const bool aLeaf = a.isLeaf(), bLeaf = b.isLeaf();
-                return aLeaf != bLeaf ? aLeaf : a.bounds.area() < b.bounds.area();
-            });
+            const auto largest =
+                std::max_element(parts.begin(), parts.end(), [](const Range& a, const Range& b) {
+                    const bool aLeaf = a.isLeaf(), bLeaf = b.isLeaf();
+                    return aLeaf != bLeaf ? aLeaf : a.bounds.area() < b.bounds.area();
+                });
             if (largest->isLeaf()) break;
             const auto [left, right] = split(*largest, depth);
             *largest = left;
             parts.push_back(right);
         }
-        std::sort(parts.begin(), parts.end(), [](const Range& a, const Range& b) { return a.begin < b.begin; });
+        std::sort(parts.begin(), parts.end(),
+                  [](const Range& a, const Range& b) { return a.begin < b.begin; });
         return parts;
     }
 
@@ -175,7 +189,8 @@ class Builder {
     std::uint32_t addChild(Hierarchy& out, const Range& r, int depth) {
         if (!r.isLeaf()) return addNode(out, r, depth);
         out.leaves.push_back({r.begin, r.count()});
-        return kLeafBit | (r.balls ? kBallBit : 0u) | static_cast<std::uint32_t>(out.leaves.size() - 1);
+        return kLeafBit | (r.balls ? kBallBit : 0u) |
+               static_cast<std::uint32_t>(out.leaves.size() - 1);
     }
 
     /// The root's children are built side by side and then joined in their order.
@@ -183,7 +198,8 @@ class Builder {
         const std::vector<Range> parts = partition(all, 0);
         std::vector<Hierarchy> below(parts.size());
         std::vector<std::uint32_t> roots(parts.size());
-        std::atomic<std::size_t> next{0};  // Claims a part; joining the threads orders the results (relaxed is enough).
+        std::atomic<std::size_t> next{
+            0};  // Claims a part; joining the threads orders the results (relaxed is enough).
         const auto work = [&] {
             for (std::size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < parts.size();)
                 roots[i] = addChild(below[i], parts[i], 1);
@@ -196,12 +212,16 @@ class Builder {
         Hierarchy out;
         out.nodes.push_back(makeNode(all.bounds, parts));
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            const auto nodeOffset = static_cast<std::uint32_t>(out.nodes.size()), leafOffset = static_cast<std::uint32_t>(out.leaves.size());
-            const auto moved = [&](std::uint32_t child) { return child + (child & kLeafBit ? leafOffset : nodeOffset); };
+            const auto nodeOffset = static_cast<std::uint32_t>(out.nodes.size()),
+                       leafOffset = static_cast<std::uint32_t>(out.leaves.size());
+            const auto moved = [&](std::uint32_t child) {
+                return child + (child & kLeafBit ? leafOffset : nodeOffset);
+            };
             out.nodes[0].child[i] = moved(roots[i]);
             for (Node8 node : below[i].nodes) {
                 for (int c = 0; c < kBlockSize; ++c)
-                    if (node.planes[0][c] <= node.planes[3][c]) node.child[c] = moved(node.child[c]);
+                    if (node.planes[0][c] <= node.planes[3][c])
+                        node.child[c] = moved(node.child[c]);
                 out.nodes.push_back(node);
             }
             out.leaves.insert(out.leaves.end(), below[i].leaves.begin(), below[i].leaves.end());
@@ -220,14 +240,18 @@ class Builder {
             const double center = static_cast<double>(hi) + static_cast<double>(lo);
             for (std::size_t i = 0; i < kBlockSize; ++i) {
                 const bool used = i < parts.size();
-                node.planes[axis][i] = used ? face(parts[i].bounds.lower[axis] - center, -1) : std::numeric_limits<float>::infinity();
-                node.planes[axis + 3][i] = used ? face(parts[i].bounds.upper[axis] - center, 1) : -std::numeric_limits<float>::infinity();
+                node.planes[axis][i] = used ? face(parts[i].bounds.lower[axis] - center, -1)
+                                            : std::numeric_limits<float>::infinity();
+                node.planes[axis + 3][i] = used ? face(parts[i].bounds.upper[axis] - center, 1)
+                                                : -std::numeric_limits<float>::infinity();
             }
         }
         return node;
     }
-    /// A face of a child's box, moved outwards by 20u (shape_blocks.h) and over its own rounding.
-    static float face(double x, double outwards) { return static_cast<float>(x + outwards * std::abs(x) * 22 * 0x1p-24); }
+    /// A face of a child's box, moved outwards by the filter's margin and over its own rounding.
+    static float face(double x, double outwards) {
+        return static_cast<float>(x + outwards * std::abs(x) * (kFaceMargin + 0x1p-23));
+    }
 
     std::span<BoundedShape> shapes_;
 };

@@ -1,6 +1,7 @@
 #include "tracer/compile/compiler.h"
 
 #include <bit>
+#include <optional>
 
 #include "tracer/compile/render_scene.h"
 #include "tracer/lights/sky.h"
@@ -50,6 +51,21 @@ std::shared_ptr<const Image> missingImage() {
     return image;
 }
 
+/// Why no picture can be taken with this camera, if so. Files are checked on loading; this holds for scenes made otherwise.
+std::optional<Error> cameraProblem(const Camera& camera) {
+    const DVec3 axis = camera.target - camera.position;
+    if (!isFinite(axis) || !(glm::length(axis) > 0))
+        return Error{.message = "the camera has no direction to look in", .pointer = "/camera/target", .remedy = "move its position or its target"};
+    // Below this sine of the angle between view and up, rounding decides what is right and left.
+    constexpr double kSmallestSine = 1e-9;
+    if (!(glm::length(glm::cross(glm::normalize(axis), camera.up)) > kSmallestSine * glm::length(camera.up)))
+        return Error{.message = "the camera's up lies along the view or has no direction", .pointer = "/camera/up", .remedy = "turn it"};
+    const bool perspective = camera.projection == Projection::Perspective;
+    if (perspective ? !(camera.verticalFovDegrees > 0 && camera.verticalFovDegrees < 180) : !(camera.orthoHeight > 0))
+        return Error{.message = "the camera's field of view is empty or too wide", .pointer = "/camera", .remedy = "use an angle above 0 and below 180 degrees"};
+    return std::nullopt;
+}
+
 /// One run of compile(): fills `out_` part by part.
 class Compiler {
   public:
@@ -57,6 +73,7 @@ class Compiler {
         : scene_(scene), folder_(folder), assets_(assets), previous_(previous) {}
 
     Result<Compiled> run() {
+        if (auto problem = cameraProblem(scene_.viewCamera())) return std::move(*problem);
         addMaterials();
         addShapes();
         addLights();
@@ -125,8 +142,14 @@ class Compiler {
                 return;
             }
             const Affine world = worldFromObject(scene_, object);
+            const DVec3 half = halfSize(object.shape, world.linear);
+            if (!isFinite(world.translation - half) || !isFinite(world.translation + half)) {
+                warn(CompileWarning::Kind::Ignored, "/objects/" + object.name, "object \"" + object.name + "\" is left out: its place or size is not finite",
+                     "correct its transform and its shape");
+                return;
+            }
             placed.emplace_back(id, world);
-            if (!std::holds_alternative<Plane>(object.shape)) bounds.add(world.translation, halfSize(object.shape, world.linear));
+            if (!std::holds_alternative<Plane>(object.shape)) bounds.add(world.translation, half);
         });
         if (!bounds.empty()) out_->origin = 0.5 * (bounds.min + bounds.max);
         for (const auto& [id, world] : placed) addShape(id, scene_.objects.at(id), world);
@@ -308,8 +331,8 @@ class Compiler {
     }
 
     void warnOfSettings() {
-        if (scene_.render.errorPercent > 0)
-            warn(CompileWarning::Kind::NotBuiltYet, "/render/error_percent", "stopping at an error is not built yet", "use spp or time_seconds");
+        if (scene_.render.clamp > 0)
+            warn(CompileWarning::Kind::Ignored, "/render/clamp", "the picture is biased: samples are clamped", "set clamp to 0 for an unbiased one");
     }
 
     const Scene& scene_;

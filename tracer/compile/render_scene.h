@@ -25,6 +25,7 @@ enum class Feature : std::uint32_t {
     Sky = 1u << 6,          ///< an environment that is not black, or a sun with a disc
     SampledSky = 1u << 7,   ///< of these, one with next-event estimation
     Lens = 1u << 8,         ///< an aperture
+    Layers = 1u << 9,       ///< not the scene's but the render's: layers are asked for
 };
 inline constexpr std::array<std::string_view, 9> kFeatureNames = {
     "smooth BSDFs", "delta BSDFs", "media", "straight transmission", "delta lights", "area lights", "sky", "sampled sky", "lens"};

@@ -1,19 +1,28 @@
-// Blocks of eight shapes, and the float test that says which of them a ray can possibly hit, and from where on. It decides
-// nothing: every shape that it cannot rule out is a Candidate, which ShapeLists decides in double. So the answer to a ray
-// is the same on every instruction set, and the test may be as coarse as it likes, but never too strict.
+// Blocks of eight shapes, and the float test that says which of them a ray can possibly hit, and
+// from where on. It decides nothing: every shape that it cannot rule out is a Candidate, which
+// ShapeLists decides in double. So the answer to a ray is the same on every instruction set, and
+// the test may be as coarse as it likes, but never too strict.
 //
-// Error model. u = 2^-24. Centres and ray origins are kept as float pairs (hi + lo, 48 bits), so the vector f from origin
-// to centre has an error of 2u|f| + slack, slack = 16 u^2 (largest coordinate of origin and list) + 1e-30: relative to the
-// distance, however far both are from zero. Directions are unit vectors with an error of u.
-// - Balls: the computed distance |p| of the centre from the line exceeds the true one by at most 11u(|b| + r) + slack
-//   wherever the true one is at most r (b: distance along the ray; six roundings of f.d, two of p, three of p.p). The test
-//   takes 16u, which leaves more than the double predicate's own rounding; the same margin covers the ends b -/+ h.
-// - Boxes: a shape lies within three slabs |row.(x - centre)| <= half, rows of unit length. At a hit, t <= |f| + R with R
-//   the shape's radius, so the computed slab coordinate is off by at most 15u|f| + 9uR + slack, divisions included when
-//   they are read as errors of the slab's faces. The test takes 24u of |f| (1-norm) and R (within `half` already).
-// - Nodes: as boxes, 16u of the origin's distance from the node's centre, and 20u of each face (within the face already).
-// Comparisons are written so that NaN, from overflow or 0 * infinity, leaves a candidate standing. Underflow to zero, with
-// or without FTZ, loses at most 1e-38, which the slack holds.
+// Error model. u = 2^-24. Centres and ray origins are kept as float pairs (hi + lo, 48 bits), so
+// the vector f from origin to centre has an error of 2u|f| + slack, slack = 16u^2 (coordinates of
+// origin and list) + 1e-30: relative to the distance, however far both are from zero. Lists near
+// zero use the hi parts alone; the slack is then 4u (coordinates). Directions are unit vectors with
+// an error of u.
+// - Balls: the computed distance |p| of the centre from the line exceeds the true one by at most
+// 11u(|b| + r) + slack
+//   wherever the true one is at most r (b: distance along the ray; six roundings of f.d, two of p,
+//   three of p.p). A direction that is kUnitTolerance off adds 24u. The test takes 48u, which
+//   leaves more than the double predicate's own rounding; the same margin covers the ends of the
+//   interval.
+// - Boxes: a shape lies within three slabs |row.(x - centre)| <= half, rows of unit length. At a
+// hit, t <= |f| + R with R
+//   the shape's radius, so the computed slab coordinate is off by at most 15u|f| + 9uR + slack,
+//   divisions included when they are read as errors of the slab's faces. The test takes 24u of |f|
+//   (1-norm) and R (within `half` already).
+// - Nodes: as boxes, 16u of the origin's distance from the node's centre, and 20u of each face
+// (within the face already). Comparisons are written so that NaN, from overflow or 0 * infinity,
+// leaves a candidate standing. Underflow to zero, with or without FTZ, loses at most 1e-38, which
+// the slack holds.
 #pragma once
 
 #include <cstddef>
@@ -21,29 +30,48 @@
 
 namespace glint {
 
+inline constexpr float kBallMargin = 48 * 0x1p-24f, kBoxMargin = 24 * 0x1p-24f,
+                       kNodeMargin = 16 * 0x1p-24f;
+inline constexpr double kFaceMargin = 20 * 0x1p-24;
+/// How far the squared length of a direction may be from 1; that of directions that were made in
+/// floats is.
+inline constexpr double kUnitTolerance = 0x1p-20;
+
 inline constexpr int kBlockSize = 8;
 inline constexpr std::size_t kBlocksACall = 8;
+
+/// How centres and ray origins are kept. Single takes a tenth less time (glint-bench rays, 64
+/// balls), and is good enough where no shape is tiny against its distance from zero.
+enum class Coordinates { Single, Pairs };
+
+/// What FilterRay::slack is in proportion to: the largest coordinates of the ray's origin and the
+/// list, added.
+[[nodiscard]] constexpr double slackFactor(Coordinates coordinates) {
+    return coordinates == Coordinates::Single ? 0x1p-22 : 0x1p-44;
+}
 
 /// Eight balls: columns of floats. Lanes from `count` on are empty.
 struct alignas(64) BallBlock {
     float centerHi[3][kBlockSize], centerLo[3][kBlockSize];
-    float radius[kBlockSize];  ///< r (1 + 16u)
+    float radius[kBlockSize];  ///< r (1 + kBallMargin)
     std::uint32_t first;       ///< slot of lane 0
     std::uint32_t count;
 };
 
-/// Eight shapes of any kind by their bounding boxes in local space, which shear may have turned into parallelepipeds.
+/// Eight shapes of any kind by their bounding boxes in local space, which shear may have turned
+/// into parallelepipeds.
 struct alignas(64) BoxBlock {
     float centerHi[3][kBlockSize], centerLo[3][kBlockSize];
     float row[3][3][kBlockSize];  ///< unit normals of the slabs: row[slab][coordinate]
-    float half[3][kBlockSize];    ///< half the slabs' widths [m] + 24u R
+    float half[3][kBlockSize];    ///< half the slabs' widths [m] + kBoxMargin R
     std::uint32_t first;
     std::uint32_t count;
 };
 
 /// A node of the hierarchy: the boxes of up to eight children relative to the node's centre.
 struct alignas(64) Node8 {
-    float planes[6][kBlockSize];  ///< lower x, y, z, upper x, y, z; empty children: +infinity, -infinity
+    float planes[6][kBlockSize];  ///< lower x, y, z, upper x, y, z; empty children: +infinity,
+                                  ///< -infinity
     float centerHi[3], centerLo[3];
     std::uint32_t child[kBlockSize];  ///< index of a node, or of a block with the bits below
 };
@@ -57,7 +85,7 @@ inline constexpr int kMaxTreeDepth = 56;
 /// A ray as the float tests see it.
 struct FilterRay {
     float originHi[3], originLo[3];
-    float direction[3];  ///< unit length
+    float direction[3];  ///< unit length, to kUnitTolerance
     float slack;         ///< see the error model [m]
     float limit;         ///< hits beyond are of no interest; rounded up
 };
@@ -80,15 +108,18 @@ using DecideLeaf = float (*)(void* query, Candidate* candidates, int count);
 /// The block tests for one instruction set.
 struct BlockKernels {
     const char* name;  ///< of the instruction set
-    /// Tests up to eight blocks. Answers with a bit for each lane that may be hit (bit 0: lane 0 of the first block) and
-    /// sets those lanes' tLo. Lanes past a block's count may come out as hit.
-    std::uint64_t (*balls)(const BallBlock* blocks, std::size_t count, const FilterRay& ray, float* tLo);
-    std::uint64_t (*boxes)(const BoxBlock* blocks, std::size_t count, const FilterRay& ray, float* tLo);
+    /// Tests up to eight blocks. Answers with a bit for each lane that may be hit (bit 0: lane 0 of
+    /// the first block) and sets those lanes' tLo. Lanes past a block's count may come out as hit.
+    std::uint64_t (*balls)(const BallBlock* blocks, std::size_t count, const FilterRay& ray,
+                           float* tLo);
+    std::uint64_t (*boxes)(const BoxBlock* blocks, std::size_t count, const FilterRay& ray,
+                           float* tLo);
     /// Visits the leaves along the ray from near to far.
     void (*walk)(const BlockTree& tree, const FilterRay& ray, DecideLeaf decide, void* query);
 };
 
-/// The kernels for the best instruction set that Highway reports now (tests narrow that by SetSupportedTargetsForTest).
-[[nodiscard]] BlockKernels blockKernels();
+/// The kernels for the best instruction set that Highway reports now (tests narrow that by
+/// SetSupportedTargetsForTest). `coordinates` is for flat lists; the walk takes pairs.
+[[nodiscard]] BlockKernels blockKernels(Coordinates coordinates);
 
 }  // namespace glint

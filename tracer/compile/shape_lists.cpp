@@ -25,30 +25,42 @@ float roundUp(double x) { return static_cast<float>(x * (1 + 1e-7)); }
 /// At least the largest coordinate. Without branches, which random rays would mispredict.
 double farthest(const DVec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-/// Fills everything of `out` but the limit. `length` is the direction's, exactly 1 where it is near enough to it.
-[[gnu::always_inline]] inline Fit prepare(const Ray& ray, double reach, FilterRay& out, double& length) {
+/// Fills everything of `out` but the limit. `length` is the direction's, exactly 1 where it is near
+/// enough to it.
+[[gnu::always_inline]] inline Fit prepare(const Ray& ray, double reach, Coordinates coordinates,
+                                          FilterRay& out, double& length) {
     const double length2 = glm::dot(ray.direction, ray.direction), far = farthest(ray.origin);
     DVec3 direction = ray.direction;
     length = 1;
-    if (!(std::abs(length2 - 1) < 1e-12) || !(far <= kFilterRange)) {
-        if (!isFinite(ray.origin) || !isFinite(direction) || direction == DVec3(0.0)) return Fit::Miss;
+    if (!(std::abs(length2 - 1) <= kUnitTolerance) || !(far <= kFilterRange)) {
+        if (!isFinite(ray.origin) || !isFinite(direction) || direction == DVec3(0.0))
+            return Fit::Miss;
         if (far > kFilterRange || !(length2 > 1e-200 && length2 < 1e200)) return Fit::Unfit;
         length = std::sqrt(length2);
         direction /= length;
     }
     for (int axis = 0; axis < 3; ++axis) {
         out.originHi[axis] = static_cast<float>(ray.origin[axis]);
-        out.originLo[axis] = static_cast<float>(ray.origin[axis] - static_cast<double>(out.originHi[axis]));
+        out.originLo[axis] = 0;
         out.direction[axis] = static_cast<float>(direction[axis]);
     }
-    out.slack = static_cast<float>((far + reach) * (16 * 0x1p-48) + 1e-30);
+    if (coordinates == Coordinates::Pairs) {
+        for (int axis = 0; axis < 3; ++axis)
+            out.originLo[axis] =
+                static_cast<float>(ray.origin[axis] - static_cast<double>(out.originHi[axis]));
+    }
+    out.slack = static_cast<float>((far + reach) * slackFactor(coordinates) + 1e-30);
     return Fit::Filter;
 }
 
 }  // namespace
 
-/// The ray, and the slots that are decided ahead of the others because the path is on those shapes or inside of them.
+/// The ray, and the slots that are decided ahead of the others because the path is on those shapes
+/// or inside of them.
 struct ShapeLists::Asking {
+    Asking(const Ray& r, const MediaStack& m)
+        : ray(r), media(m) {}  // Leaves `known` as it is: no time for zeros.
+
     const Ray& ray;
     const MediaStack& media;
     double length = 1;  ///< of the ray's direction
@@ -96,27 +108,36 @@ struct ShapeLists::Any {
     }
 };
 
-inline Crossing ShapeLists::firstHit(const Ball& ball, const Ray& ray, Start start) {
-    return CanonicalSphere{}.first((ray.origin - ball.center) * ball.inverseRadius, ray.direction * ball.inverseRadius, start);
+/// Flattened: a call within costs as much as the sphere itself.
+[[gnu::flatten]] inline Crossing ShapeLists::firstHit(const Ball& ball, const Ray& ray,
+                                                      Start start) {
+    return CanonicalSphere{}.first((ray.origin - ball.center) * ball.inverseRadius,
+                                   ray.direction * ball.inverseRadius, start);
 }
 
 [[gnu::noinline]] Crossing ShapeLists::firstHit(const Entry& entry, const Ray& ray, Start start) {
-    const DVec3 o = entry.localFromWorld * (ray.origin - entry.center), d = entry.localFromWorld * ray.direction;
+    const DVec3 o = entry.localFromWorld * (ray.origin - entry.center),
+                d = entry.localFromWorld * ray.direction;
     return std::visit([&](const auto& shape) { return shape.first(o, d, start); }, entry.shape);
 }
 
 /// Decides the shape of a slot that the path is neither on nor inside of.
 template <class Question>
-inline void ShapeLists::decideSlot(const Asking& asking, Question& question, std::uint32_t slot) const {
-    const auto start = [](bool dielectric) { return dielectric ? Start::KnownOutside : Start::Elsewhere; };
-    if (slot < balls_.size()) return question.decide(balls_[slot], asking.ray, start(balls_[slot].dielectric));
-    const Entry& entry = boxes_[slot - balls_.size()];
+inline void ShapeLists::decideSlot(const Asking& asking, Question& question,
+                                   std::uint32_t slot) const {
+    const auto start = [](bool dielectric) {
+        return dielectric ? Start::KnownOutside : Start::Elsewhere;
+    };
+    if (slot < ballCount_)
+        return question.decide(balls_[slot], asking.ray, start(balls_[slot].dielectric));
+    const Entry& entry = boxes_[slot - ballCount_];
     question.decide(entry, asking.ray, start(entry.dielectric));
 }
 
 /// Near ones first, so that mostly one is decided. Leaves off where the answer cannot change.
 template <class Question>
-[[gnu::noinline]] Question ShapeLists::decideInOrder(const Asking& asking, Question question, Candidate* candidates, int count) const {
+[[gnu::noinline]] Question ShapeLists::decideInOrder(const Asking& asking, Question question,
+                                                     Candidate* candidates, int count) const {
     while (count > 0 && !question.done()) {
         Candidate* nearest = candidates;
         for (Candidate* c = candidates + 1; c != candidates + count; ++c)
@@ -144,8 +165,10 @@ template <class Question>
         const std::uint32_t slot = index < slotOf_.size() ? slotOf_[index] : kNoShape;
         if (slot == kNoShape || asking.isKnown(slot) || question.done()) return;
         asking.known[static_cast<std::size_t>(asking.knownCount++)] = slot;
-        const auto decideShape = [&](const auto& shape) { question.decide(shape, asking.ray, asking.start(shape)); };
-        slot < balls_.size() ? decideShape(balls_[slot]) : decideShape(boxes_[slot - balls_.size()]);
+        const auto decideShape = [&](const auto& shape) {
+            question.decide(shape, asking.ray, asking.start(shape));
+        };
+        slot < ballCount_ ? decideShape(balls_[slot]) : decideShape(boxes_[slot - ballCount_]);
     };
     decide(asking.ray.fromShape);
     for (int i = 0; i < asking.media.size(); ++i) decide(asking.media[i]);
@@ -154,18 +177,23 @@ template <class Question>
 
 /// The shapes of a flat list of blocks, whose slots begin at `firstSlot`.
 template <class Question, class Block, class Kernel>
-[[gnu::always_inline]] inline Question ShapeLists::askFlat(const Asking& asking, Question question, const std::vector<Block>& blocks,
-                                                           std::size_t firstSlot, std::size_t shapes, Kernel kernel,
+[[gnu::always_inline]] inline Question ShapeLists::askFlat(const Asking& asking, Question question,
+                                                           const std::vector<Block>& blocks,
+                                                           std::uint32_t firstSlot,
+                                                           std::uint32_t shapes, Kernel kernel,
                                                            FilterRay& ray) const {
     for (std::size_t i = 0; i < blocks.size() && !question.done(); i += kBlocksACall) {
         float tLo[kLanesACall];
         ray.limit = roundUp(question.limit() * asking.length);
-        std::uint64_t found = kernel(&blocks[i], std::min(blocks.size() - i, kBlocksACall), ray, tLo);
-        const std::size_t first = firstSlot + i * kBlockSize, lanes = std::min(shapes - i * kBlockSize, kLanesACall);
+        std::uint64_t found =
+            kernel(&blocks[i], std::min(blocks.size() - i, kBlocksACall), ray, tLo);
+        const std::size_t first = firstSlot + i * kBlockSize,
+                          lanes = std::min(shapes - i * kBlockSize, kLanesACall);
         found &= ~std::uint64_t{0} >> (kLanesACall - lanes);
         if (found == 0) continue;
         if ((found & (found - 1)) == 0) {
-            const auto slot = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(std::countr_zero(found));
+            const auto slot = static_cast<std::uint32_t>(first) +
+                              static_cast<std::uint32_t>(std::countr_zero(found));
             if (!asking.isKnown(slot)) decideSlot(asking, question, slot);
             continue;
         }
@@ -181,7 +209,8 @@ template <class Question, class Block, class Kernel>
 }
 
 template <class Question>
-[[gnu::noinline]] Question ShapeLists::askTree(const Asking& asking, Question question, FilterRay& ray) const {
+[[gnu::noinline]] Question ShapeLists::askTree(const Asking& asking, Question question,
+                                               FilterRay& ray) const {
     struct Walk {
         const ShapeLists& lists;
         const Asking& asking;
@@ -198,34 +227,39 @@ template <class Question>
 }
 
 template <class Question>
-[[gnu::always_inline]] inline Question ShapeLists::ask(const Ray& ray, const MediaStack& media, Question question) const {
-    Asking asking{ray, media};
+[[gnu::always_inline]] inline Question ShapeLists::ask(const Ray& ray, const MediaStack& media,
+                                                       Question question) const {
+    Asking asking(ray, media);
     if (!always_.empty()) question = decideEach(asking, question, always_);
     if (question.done()) return question;
     FilterRay filterRay;
-    const Fit fit = unfiltered_ ? Fit::Unfit : prepare(ray, reach_, filterRay, asking.length);
+    const Fit fit =
+        unfiltered_ ? Fit::Unfit : prepare(ray, reach_, coordinates_, filterRay, asking.length);
     if (fit == Fit::Unfit) return decideEach(asking, decideEach(asking, question, balls_), boxes_);
     if (ray.fromShape != kNoShape || !media.empty()) question = decideKnown(asking, question);
     if (fit == Fit::Miss || question.done()) return question;
     if (!nodes_.empty()) return askTree(asking, question, filterRay);
-    question = askFlat(asking, question, ballBlocks_, 0, balls_.size(), kernels_.balls, filterRay);
-    return askFlat(asking, question, boxBlocks_, balls_.size(), boxes_.size(), kernels_.boxes, filterRay);
+    question = askFlat(asking, question, ballBlocks_, 0, ballCount_, kernels_.balls, filterRay);
+    return askFlat(asking, question, boxBlocks_, ballCount_, boxCount_, kernels_.boxes, filterRay);
 }
 
 ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMax) const {
     return ask(ray, media, Nearest{{tMax, kNoShape, 0}, tMax}).best;
 }
 
-bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax, std::uint32_t ignored) const {
+bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax,
+                          std::uint32_t ignored) const {
     return ask(ray, media, Any{tMax, ignored}).hit;
 }
 
 ShapeLists::Memory ShapeLists::memory() const {
     const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
-    return {bytes(nodes_) + bytes(slotOf_), bytes(always_) + bytes(balls_) + bytes(boxes_) + bytes(ballBlocks_) + bytes(boxBlocks_)};
+    return {bytes(nodes_) + bytes(slotOf_), bytes(always_) + bytes(balls_) + bytes(boxes_) +
+                                                bytes(ballBlocks_) + bytes(boxBlocks_)};
 }
 
-Crossing hitShape(const ShapeInstance& instance, std::uint32_t index, const Ray& ray, const MediaStack& media) {
+Crossing hitShape(const ShapeInstance& instance, std::uint32_t index, const Ray& ray,
+                  const MediaStack& media) {
     return std::visit(
         [&](const auto& shape) {
             return shape.first(instance.localPoint(ray.origin), instance.localVector(ray.direction),

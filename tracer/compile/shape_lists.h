@@ -1,7 +1,8 @@
-// ShapeLists: the analytic shapes of a scene, and the two questions that rays ask of them. Both questions share one
-// predicate (firstHit, in double), so a point that is seen can never shadow itself. Which shapes come before the predicate is
-// a matter of speed alone: float tests of eight shapes at once rule out the rest (shape_blocks.h), in one flat list or, above
-// kFlatShapes, in a hierarchy (bvh8.h).
+// ShapeLists: the analytic shapes of a scene, and the two questions that rays ask of them. Both
+// questions share one predicate (firstHit, in double), so a point that is seen can never shadow
+// itself. Which shapes come before the predicate is a matter of speed alone (16 balls: 43 Mray/s
+// filtered, 10 all in double): float tests of eight shapes at once rule out the rest
+// (shape_blocks.h), in one flat list or, above kFlatShapes, in a hierarchy (bvh8.h).
 #pragma once
 
 #include <vector>
@@ -14,7 +15,8 @@
 
 namespace glint {
 
-/// One object's shape in render space (the scene's origin is subtracted). Local space is the shape's canonical space.
+/// One object's shape in render space (the scene's origin is subtracted). Local space is the
+/// shape's canonical space.
 struct ShapeInstance {
     CanonicalShape shape;
     DMat3 localFromWorld{1.0};
@@ -23,7 +25,8 @@ struct ShapeInstance {
     std::uint32_t material = 0;  ///< index into RenderScene::materials
     std::uint32_t light = ~0u;   ///< index into LightTable::lights, ~0: does not emit
     ObjectId object;
-    bool dielectric = false;     ///< closed, and its material has an inside: paths track it in a MediaStack
+    bool dielectric =
+        false;  ///< closed, and its material has an inside: paths track it in a MediaStack
 
     [[nodiscard]] DVec3 localPoint(const DVec3& p) const { return localFromWorld * (p - center); }
     [[nodiscard]] DVec3 localVector(const DVec3& v) const { return localFromWorld * v; }
@@ -37,20 +40,24 @@ struct ShapeHit {
 };
 
 /// Where a ray starts as seen from the shape `index`.
-[[nodiscard]] inline Start startOf(const Ray& ray, const MediaStack& media, std::uint32_t index, bool dielectric) {
+[[nodiscard]] inline Start startOf(const Ray& ray, const MediaStack& media, std::uint32_t index,
+                                   bool dielectric) {
     if (ray.fromShape == index) return ray.fromInside ? Start::Entering : Start::Leaving;
     if (dielectric) return media.contains(index) ? Start::KnownInside : Start::KnownOutside;
     return Start::Elsewhere;
 }
 
-/// Up to this many shapes lie in one flat list of blocks; more get a hierarchy. Measured by `glint-bench rays`: see
-/// tests/bench/README.md.
-inline constexpr std::size_t kFlatShapes = 15;
-/// Up to this many are decided one after the other without the filter. Measured as above.
+/// Up to this many shapes lie in one flat list of blocks; more get a hierarchy. Measured
+/// (glint-bench rays, AVX2): 128 balls take 80 ns a ray flat and 122 ns in the hierarchy, 128 mixed
+/// shapes 193 and 202; the ways meet near 200 shapes.
+inline constexpr std::size_t kFlatShapes = 128;
+/// Up to this many are decided one after the other without the filter, which is the faster way from
+/// two on (53 against 38 Mray/s for three balls).
 inline constexpr std::size_t kUnfilteredShapes = 1;
 
-/// What hits are ordered by: t, but where a boundary that the path leaves and one that it enters coincide up to rounding,
-/// the entry comes first. So media that touch share one boundary, with no gap between them.
+/// What hits are ordered by: t, but where a boundary that the path leaves and one that it enters
+/// coincide up to rounding, the entry comes first. So media that touch share one boundary, with no
+/// gap between them.
 [[nodiscard]] inline double hitOrder(double t, const Ray& ray, Start start, bool dielectric) {
     if (!dielectric || (start != Start::Entering && start != Start::KnownInside)) return t;
     const double place = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z);
@@ -63,11 +70,14 @@ class ShapeLists {
     explicit ShapeLists(const std::vector<ShapeInstance>& instances);
 
     /// The nearest hit with t < tMax. Of equal hits the shape with the lower index wins.
-    [[nodiscard]] ShapeHit closest(const Ray& ray, const MediaStack& media, double tMax = kInfinity) const;
+    [[nodiscard]] ShapeHit closest(const Ray& ray, const MediaStack& media,
+                                   double tMax = kInfinity) const;
     /// Whether anything but `ignored` is hit before tMax.
-    [[nodiscard]] bool occluded(const Ray& ray, const MediaStack& media, double tMax, std::uint32_t ignored) const;
+    [[nodiscard]] bool occluded(const Ray& ray, const MediaStack& media, double tMax,
+                                std::uint32_t ignored) const;
 
-    /// Bytes of the hierarchy (nodes and the map from shapes to slots), and of the shapes' own data.
+    /// Bytes of the hierarchy (nodes and the map from shapes to slots), and of the shapes' own
+    /// data.
     struct Memory {
         std::size_t hierarchy = 0, shapes = 0;
     };
@@ -96,13 +106,16 @@ class ShapeLists {
     static Crossing firstHit(const Ball& ball, const Ray& ray, Start start);
     static Crossing firstHit(const Entry& entry, const Ray& ray, Start start);
     void sortByKind(const std::vector<ShapeInstance>& instances);
+    [[nodiscard]] Coordinates chooseCoordinates(const std::vector<ShapeInstance>& instances) const;
     void buildFlat(const std::vector<ShapeInstance>& instances);
     void buildTree(const std::vector<ShapeInstance>& instances);
     void addBallBlock(std::size_t first, std::size_t count);
-    void addBoxBlock(std::size_t first, std::size_t count, const std::vector<ShapeInstance>& instances);
+    void addBoxBlock(std::size_t first, std::size_t count,
+                     const std::vector<ShapeInstance>& instances);
     void findSlots(std::size_t instanceCount);
 
-    // A Question is Nearest or Any. Each of these answers with what it knows after its shapes have been decided.
+    // A Question is Nearest or Any. Each of these answers with what it knows after its shapes have
+    // been decided.
     template <class Question>
     Question ask(const Ray& ray, const MediaStack& media, Question question) const;
     template <class Question, class List>
@@ -110,28 +123,34 @@ class ShapeLists {
     template <class Question>
     Question decideKnown(Asking& asking, Question question) const;
     template <class Question, class Block, class Kernel>
-    Question askFlat(const Asking& asking, Question question, const std::vector<Block>& blocks, std::size_t firstSlot,
-                     std::size_t shapes, Kernel kernel, FilterRay& ray) const;
+    Question askFlat(const Asking& asking, Question question, const std::vector<Block>& blocks,
+                     std::uint32_t firstSlot, std::uint32_t shapes, Kernel kernel,
+                     FilterRay& ray) const;
     template <class Question>
     Question askTree(const Asking& asking, Question question, FilterRay& ray) const;
     template <class Question>
-    Question decideInOrder(const Asking& asking, Question question, Candidate* candidates, int count) const;
+    Question decideInOrder(const Asking& asking, Question question, Candidate* candidates,
+                           int count) const;
     template <class Question>
     void decideSlot(const Asking& asking, Question& question, std::uint32_t slot) const;
 
-    std::vector<Entry> always_;  ///< decided for every ray: planes, and shapes too skewed for the filter
-    std::vector<Ball> balls_;    ///< in the order of their blocks; slots from 0
-    std::vector<Entry> boxes_;   ///< in the order of their blocks; slots follow those of the balls
+    std::vector<Entry>
+        always_;  ///< decided for every ray: planes, and shapes too skewed for the filter
+    std::vector<Ball> balls_;   ///< in the order of their blocks; slots from 0
+    std::vector<Entry> boxes_;  ///< in the order of their blocks; slots follow those of the balls
     std::vector<BallBlock> ballBlocks_;
     std::vector<BoxBlock> boxBlocks_;
     std::vector<Node8> nodes_;           ///< empty: the list is flat
     std::vector<std::uint32_t> slotOf_;  ///< of each shape instance
     double reach_ = 0;                   ///< largest absolute coordinate of a filtered shape
-    bool unfiltered_ = true;             ///< so few shapes that all are decided
+    std::uint32_t ballCount_ = 0, boxCount_ = 0;  ///< lengths of the two lists
+    Coordinates coordinates_ = Coordinates::Single;
+    bool unfiltered_ = true;  ///< so few shapes that all are decided
     BlockKernels kernels_{};
 };
 
 /// The first hit of a ray on one given shape, by the same predicate as the lists.
-[[nodiscard]] Crossing hitShape(const ShapeInstance& instance, std::uint32_t index, const Ray& ray, const MediaStack& media);
+[[nodiscard]] Crossing hitShape(const ShapeInstance& instance, std::uint32_t index, const Ray& ray,
+                                const MediaStack& media);
 
 }  // namespace glint

@@ -20,18 +20,24 @@ std::string remedyFor(int code) {
     switch (code) {
         case ENOSPC:
         case EDQUOT:
-        case EFBIG: return "free some space, or write elsewhere";
+        case EFBIG:
+            return "free some space, or write elsewhere";
         case EACCES:
         case EPERM:
-        case EROFS: return "write elsewhere, or change the permissions";
+        case EROFS:
+            return "write elsewhere, or change the permissions";
         case ENOENT:
-        case ENOTDIR: return "check the path";
-        default: return "";
+        case ENOTDIR:
+            return "check the path";
+        default:
+            return "";
     }
 }
 
 Error fileError(const fs::path& path, const std::string& what, int code) {
-    return {.message = what + ": " + std::generic_category().message(code), .file = path.string(), .remedy = remedyFor(code)};
+    return {.message = what + ": " + std::generic_category().message(code),
+            .file = path.string(),
+            .remedy = remedyFor(code)};
 }
 
 /// What the file is named in the end, links followed, so that a link stays one.
@@ -53,7 +59,10 @@ mode_t modeFor(const fs::path& target) {
 }  // namespace
 
 SiblingFile::SiblingFile(fs::path shown, fs::path target, fs::path sibling, std::FILE* stream)
-    : shown_(std::move(shown)), target_(std::move(target)), sibling_(std::move(sibling)), stream_(stream) {}
+    : shown_(std::move(shown)),
+      target_(std::move(target)),
+      sibling_(std::move(sibling)),
+      stream_(stream) {}
 
 SiblingFile::SiblingFile(SiblingFile&& other) noexcept
     : shown_(std::move(other.shown_)),
@@ -72,10 +81,14 @@ Result<SiblingFile> SiblingFile::create(const fs::path& path) {
     std::error_code ignored;
     const fs::file_status status = fs::status(target, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status))
-        return Error{.message = fs::is_directory(status) ? "is a folder" : "is not a file", .file = path.string(), .remedy = "choose another name"};
-    if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) return fileError(path, "cannot be written", errno);
+        return Error{.message = fs::is_directory(status) ? "is a folder" : "is not a file",
+                     .file = path.string(),
+                     .remedy = "choose another name"};
+    if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0)
+        return fileError(path, "cannot be written", errno);
 
-    std::string name = (target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string();
+    std::string name =
+        (target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string();
     const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
     if (descriptor < 0) return fileError(path, "cannot be written", errno);
     ::fchmod(descriptor, modeFor(target));
@@ -91,7 +104,8 @@ Result<SiblingFile> SiblingFile::create(const fs::path& path) {
 
 Status SiblingFile::commit() {
     errno = 0;
-    bool good = !std::ferror(stream_) && std::fflush(stream_) == 0 && ::fsync(::fileno(stream_)) == 0;
+    bool good =
+        !std::ferror(stream_) && std::fflush(stream_) == 0 && ::fsync(::fileno(stream_)) == 0;
     int code = errno;
     good = std::fclose(std::exchange(stream_, nullptr)) == 0 && good;
     if (good && ::rename(sibling_.c_str(), target_.c_str()) == 0) return Done{};
@@ -117,15 +131,20 @@ Status checkWritable(const fs::path& path) {
 
 Result<std::string> readWhole(const fs::path& path, std::size_t limit) {
     std::error_code code;
-    if (fs::is_directory(path, code)) return Error{.message = "is a folder", .file = path.string(), .remedy = "name a file in it"};
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (fs::is_directory(path, code))
+        return Error{
+            .message = "is a folder", .file = path.string(), .remedy = "name a file in it"};
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"),
+                                                                 std::fclose);
     if (!stream) return fileError(path, "cannot be read", errno);
     std::string out;
     if (const auto size = fs::file_size(path, code); !code && size <= limit) out.reserve(size);
     std::array<char, 65536> block{};
     while (const std::size_t got = std::fread(block.data(), 1, block.size(), stream.get())) {
         if (out.size() + got > limit)
-            return Error{.message = "is larger than " + std::to_string(limit >> 20U) + " MiB", .file = path.string(), .remedy = "split it up"};
+            return Error{.message = "is larger than " + std::to_string(limit >> 20U) + " MiB",
+                         .file = path.string(),
+                         .remedy = "split it up"};
         out.append(block.data(), got);
     }
     if (std::ferror(stream.get())) return fileError(path, "cannot be read", errno);

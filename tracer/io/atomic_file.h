@@ -1,4 +1,5 @@
-// Files that are written whole or not at all: to a hidden sibling first, which then takes the file's place.
+// Files that are written whole or not at all: to a hidden sibling first, which then takes the
+// file's place.
 #pragma once
 
 #include <cstdio>
@@ -12,7 +13,8 @@ namespace glint {
 /// A file beside `target` that replaces it on commit() and vanishes otherwise.
 class SiblingFile {
   public:
-    /// Makes the sibling. Errors: no such folder, no permission, `target` is something else than a file.
+    /// Makes the sibling. Errors: no such folder, no permission, `target` is something else than a
+    /// file.
     [[nodiscard]] static Result<SiblingFile> create(const std::filesystem::path& target);
 
     SiblingFile(SiblingFile&& other) noexcept;
@@ -21,12 +23,13 @@ class SiblingFile {
 
     /// Open for writing and seeking. Owned by this.
     [[nodiscard]] std::FILE* stream() const { return stream_; }
-    /// Flushes to the disk and renames. Errors: the disk is full, and whatever else had failed on the stream.
+    /// Flushes to the disk and renames. Errors: the disk is full, and whatever else had failed on
+    /// the stream.
     [[nodiscard]] Status commit();
 
   private:
-    SiblingFile(std::filesystem::path shown, std::filesystem::path target, std::filesystem::path sibling,
-                std::FILE* stream);
+    SiblingFile(std::filesystem::path shown, std::filesystem::path target,
+                std::filesystem::path sibling, std::FILE* stream);
 
     std::filesystem::path shown_;  ///< the target as it was given, for errors
     std::filesystem::path target_, sibling_;

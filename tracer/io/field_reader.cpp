@@ -24,7 +24,8 @@ std::string JsonPath::pointer() const {
     for (const JsonPath* at = this; at->parent; at = at->parent) steps.push_back(at);
     std::string out;
     for (auto step = steps.rbegin(); step != steps.rend(); ++step)
-        out += "/" + ((*step)->key.data() ? escapedToken((*step)->key) : std::to_string((*step)->index));
+        out += "/" +
+               ((*step)->key.data() ? escapedToken((*step)->key) : std::to_string((*step)->index));
     return out;
 }
 
@@ -39,19 +40,24 @@ std::uint32_t NameIndex::find(std::string_view name) const {
 }
 
 void FieldReader::fail(const JsonPath& at, std::string message, std::string remedy) {
-    errors_.push_back({.message = std::move(message), .pointer = at.pointer(), .remedy = std::move(remedy)});
+    errors_.push_back(
+        {.message = std::move(message), .pointer = at.pointer(), .remedy = std::move(remedy)});
 }
 
-std::string FieldReader::suggestion(std::string_view wanted, const std::vector<std::string_view>& known) const {
-    constexpr std::size_t kSuggested = 20;  // Searching names for each of very many errors would take too long.
+std::string FieldReader::suggestion(std::string_view wanted,
+                                    const std::vector<std::string_view>& known) const {
+    constexpr std::size_t kSuggested =
+        20;  // Searching names for each of very many errors would take too long.
     constexpr std::size_t kListed = 16;
     const std::string nearest = errors_.size() < kSuggested ? nearestName(wanted, known) : "";
     if (!nearest.empty()) return "did you mean " + inQuotes(nearest) + "?";
     if (known.empty()) return "there is none";
-    return known.size() <= kListed ? "known here: " + shortened(joined(known), 300) : "check the spelling";
+    return known.size() <= kListed ? "known here: " + shortened(joined(known), 300)
+                                   : "check the spelling";
 }
 
-bool FieldReader::checkKeys(const Json& json, const JsonPath& at, const std::vector<std::string_view>& known) {
+bool FieldReader::checkKeys(const Json& json, const JsonPath& at,
+                            const std::vector<std::string_view>& known) {
     if (!json.is_object()) {
         failType(at, json, "an object", "{...}");
         return false;
@@ -59,7 +65,8 @@ bool FieldReader::checkKeys(const Json& json, const JsonPath& at, const std::vec
     const std::size_t before = errors_.size();
     for (auto it = json.begin(); it != json.end(); ++it)
         if (std::find(known.begin(), known.end(), it.key()) == known.end())
-            fail(at.child(std::string_view(it.key())), "unknown field " + inQuotes(it.key()), suggestion(it.key(), known));
+            fail(at.child(std::string_view(it.key())), "unknown field " + inQuotes(it.key()),
+                 suggestion(it.key(), known));
     return errors_.size() == before;
 }
 
@@ -67,11 +74,16 @@ void FieldReader::failMissing(const JsonPath& at, std::string_view name) {
     fail(at, inQuotes(name) + " is missing", "add it");
 }
 
-void FieldReader::failType(const JsonPath& at, const Json& found, std::string_view wanted, std::string_view example) {
+void FieldReader::failType(const JsonPath& at, const Json& found, std::string_view wanted,
+                           std::string_view example) {
     std::string what = found.type_name();
     if (found.is_array()) what = "array of " + std::to_string(found.size());
-    fail(at, "expected " + std::string(wanted) + ", found " + (found.is_null() ? "" : "a") +
-                 (found.is_array() || found.is_object() ? "n " : found.is_null() ? "" : " ") + what,
+    fail(at,
+         "expected " + std::string(wanted) + ", found " + (found.is_null() ? "" : "a") +
+             (found.is_array() || found.is_object() ? "n "
+              : found.is_null()                     ? ""
+                                                    : " ") +
+             what,
          "write it as " + std::string(example));
 }
 
@@ -80,8 +92,10 @@ bool FieldReader::checkRange(const JsonPath& at, const FieldMeta& meta, double v
     if (!low && value <= meta.max) return true;
     std::string allowed = meta.exclusiveMin ? "above " : "at least ";
     allowed = meta.min > -kInfinity ? allowed + numberText(meta.min) : "";
-    if (meta.max < kInfinity) allowed += (allowed.empty() ? "at most " : " and at most ") + numberText(meta.max);
-    fail(at, numberText(value) + (low ? " is too small" : " is too large"), "use a number " + allowed);
+    if (meta.max < kInfinity)
+        allowed += (allowed.empty() ? "at most " : " and at most ") + numberText(meta.max);
+    fail(at, numberText(value) + (low ? " is too small" : " is too large"),
+         "use a number " + allowed);
     return false;
 }
 
@@ -99,7 +113,8 @@ void FieldReader::read(const Json& json, const FieldMeta& meta, const JsonPath& 
 void FieldReader::read(const Json& json, const FieldMeta& meta, const JsonPath& at, int& out) {
     const auto value = number(json, at);
     if (!value) return;
-    if (*value != std::floor(*value)) return fail(at, "expected a whole number, found " + numberText(*value), "round it");
+    if (*value != std::floor(*value))
+        return fail(at, "expected a whole number, found " + numberText(*value), "round it");
     FieldMeta bounded = meta;
     bounded.min = std::max(meta.min, static_cast<double>(std::numeric_limits<int>::min()));
     bounded.max = std::min(meta.max, static_cast<double>(std::numeric_limits<int>::max()));
@@ -113,7 +128,8 @@ void FieldReader::read(const Json& json, const FieldMeta&, const JsonPath& at, b
         failType(at, json, "true or false", "true");
 }
 
-void FieldReader::read(const Json& json, const FieldMeta& meta, const JsonPath& at, std::string& out) {
+void FieldReader::read(const Json& json, const FieldMeta& meta, const JsonPath& at,
+                       std::string& out) {
     if (!json.is_string())
         failType(at, json, "a text", "\"text\"");
     else if (meta.required && json.get_ref<const std::string&>().empty())
@@ -123,8 +139,9 @@ void FieldReader::read(const Json& json, const FieldMeta& meta, const JsonPath& 
 }
 
 template <std::size_t N>
-bool FieldReader::readNumbers(const Json& json, const FieldMeta& meta, const JsonPath& at, std::array<double, N>& out,
-                              std::string_view wanted, std::string_view example) {
+bool FieldReader::readNumbers(const Json& json, const FieldMeta& meta, const JsonPath& at,
+                              std::array<double, N>& out, std::string_view wanted,
+                              std::string_view example) {
     if (!json.is_array() || json.size() != N) {
         failType(at, json, wanted, example);
         return false;
@@ -141,7 +158,8 @@ void FieldReader::read(const Json& json, const FieldMeta& meta, const JsonPath& 
     FieldMeta bounded = meta;
     bounded.max = std::min(meta.max, kLargestColor);
     std::array<double, 3> v{};
-    if (readNumbers(json, bounded, at, v, "a colour of three numbers", "[1, 0.5, 0]")) out = {v[0], v[1], v[2]};
+    if (readNumbers(json, bounded, at, v, "a colour of three numbers", "[1, 0.5, 0]"))
+        out = {v[0], v[1], v[2]};
 }
 
 void FieldReader::read(const Json& json, const FieldMeta& meta, const JsonPath& at, DVec2& out) {
@@ -154,25 +172,32 @@ void FieldReader::read(const Json& json, const FieldMeta& meta, const JsonPath& 
     if (readNumbers(json, meta, at, v, "three numbers", "[1, 2, 3]")) out = {v[0], v[1], v[2]};
 }
 
-void FieldReader::read(const Json& json, const FieldMeta& meta, const JsonPath& at, std::array<double, 12>& out) {
+void FieldReader::read(const Json& json, const FieldMeta& meta, const JsonPath& at,
+                       std::array<double, 12>& out) {
     std::array<double, 12> v{};
-    if (readNumbers(json, meta, at, v, "twelve numbers", "the three rows of a 3 x 4 matrix, one after the other")) out = v;
+    if (readNumbers(json, meta, at, v, "twelve numbers",
+                    "the three rows of a 3 x 4 matrix, one after the other"))
+        out = v;
 }
 
-void FieldReader::read(const Json& json, const FieldMeta& meta, const JsonPath& at, std::vector<Color>& out) {
+void FieldReader::read(const Json& json, const FieldMeta& meta, const JsonPath& at,
+                       std::vector<Color>& out) {
     if (!json.is_array()) return failType(at, json, "a list of colours", "[[1, 1, 1], [0, 0, 0]]");
     out.assign(json.size(), {});
     for (std::size_t i = 0; i < json.size(); ++i) read(json[i], meta, at.child(i), out[i]);
 }
 
-std::uint32_t FieldReader::reference(const Json& json, const JsonPath& at, const NameIndex& names, std::string_view what) {
+std::uint32_t FieldReader::reference(const Json& json, const JsonPath& at, const NameIndex& names,
+                                     std::string_view what) {
     if (!json.is_string()) {
         failType(at, json, "the name of a " + std::string(what), "\"name\"");
         return 0;
     }
     const std::string& name = json.get_ref<const std::string&>();
     const std::uint32_t id = names.find(name);
-    if (id == 0) fail(at, "there is no " + std::string(what) + " " + inQuotes(name), suggestion(name, names.names()));
+    if (id == 0)
+        fail(at, "there is no " + std::string(what) + " " + inQuotes(name),
+             suggestion(name, names.names()));
     return id;
 }
 

@@ -18,17 +18,21 @@ namespace glint {
 
 namespace {
 
-/// The writing library's view of a sibling file. Unlike its own stream it lets no failed write pass.
+/// The writing library's view of a sibling file. Unlike its own stream it lets no failed write
+/// pass.
 class ExrStream : public Imf::OStream {
   public:
-    ExrStream(std::FILE* stream, const std::string& name) : OStream(name.c_str()), stream_(stream) {}
+    ExrStream(std::FILE* stream, const std::string& name)
+        : OStream(name.c_str()), stream_(stream) {}
     void write(const char* bytes, int count) override {
-        if (std::fwrite(bytes, 1, static_cast<std::size_t>(count), stream_) != static_cast<std::size_t>(count))
+        if (std::fwrite(bytes, 1, static_cast<std::size_t>(count), stream_) !=
+            static_cast<std::size_t>(count))
             throw std::runtime_error(std::strerror(errno));
     }
     std::uint64_t tellp() override { return static_cast<std::uint64_t>(std::ftell(stream_)); }
     void seekp(std::uint64_t position) override {
-        if (std::fseek(stream_, static_cast<long>(position), SEEK_SET) != 0) throw std::runtime_error(std::strerror(errno));
+        if (std::fseek(stream_, static_cast<long>(position), SEEK_SET) != 0)
+            throw std::runtime_error(std::strerror(errno));
     }
 
   private:
@@ -38,12 +42,14 @@ class ExrStream : public Imf::OStream {
 Imf::Header headerOf(const ExrFile& file) {
     Imf::Header header(file.width, file.height);
     header.compression() = Imf::ZIP_COMPRESSION;
-    for (const ExrChannel& channel : file.channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+    for (const ExrChannel& channel : file.channels)
+        header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
     for (const auto& [key, value] : file.metadata) header.insert(key, Imf::StringAttribute(value));
     return header;
 }
 
-/// A slice for `values`, whose first element is the pixel (xMin, yMin). The library addresses from pixel (0, 0).
+/// A slice for `values`, whose first element is the pixel (xMin, yMin). The library addresses from
+/// pixel (0, 0).
 Imf::Slice sliceOf(const float* values, int xMin, int yMin, int width) {
     auto* bytes = reinterpret_cast<char*>(const_cast<float*>(values));
     const std::ptrdiff_t first = std::ptrdiff_t{yMin} * width + xMin;
@@ -54,7 +60,8 @@ Imf::Slice sliceOf(const float* values, int xMin, int yMin, int width) {
 void writePixels(Imf::OStream& stream, const ExrFile& file) {
     Imf::OutputFile output(stream, headerOf(file), 0);
     Imf::FrameBuffer buffer;
-    for (const ExrChannel& channel : file.channels) buffer.insert(channel.name, sliceOf(channel.values.data(), 0, 0, file.width));
+    for (const ExrChannel& channel : file.channels)
+        buffer.insert(channel.name, sliceOf(channel.values.data(), 0, 0, file.width));
     output.setFrameBuffer(buffer);
     output.writePixels(file.height);
 }
@@ -62,15 +69,18 @@ void writePixels(Imf::OStream& stream, const ExrFile& file) {
 ImageMetadata metadataOf(const Imf::Header& header) {
     ImageMetadata out;
     for (auto it = header.begin(); it != header.end(); ++it)
-        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute())) out[it.name()] = text->value();
+        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute()))
+            out[it.name()] = text->value();
     return out;
 }
 
-/// Makes the channels with room for all pixels, but fills in none: a file that only claims to be large costs no memory.
+/// Makes the channels with room for all pixels, but fills in none: a file that only claims to be
+/// large costs no memory.
 void reserveChannels(ExrFile& out, const Imf::ChannelList& channels, std::size_t pixels) {
     for (auto it = channels.begin(); it != channels.end(); ++it) {
         if (it.channel().xSampling != 1 || it.channel().ySampling != 1)
-            throw std::runtime_error("channel " + std::string(it.name()) + " has fewer samples than pixels");
+            throw std::runtime_error("channel " + std::string(it.name()) +
+                                     " has fewer samples than pixels");
         out.channels.push_back({it.name(), {}});
         out.channels.back().values.reserve(pixels);
     }
@@ -78,32 +88,39 @@ void reserveChannels(ExrFile& out, const Imf::ChannelList& channels, std::size_t
 
 ExrFile readPixels(Imf::InputFile& input) {
     const auto window = input.header().dataWindow();
-    const auto width = std::int64_t{window.max.x} - window.min.x + 1, height = std::int64_t{window.max.y} - window.min.y + 1;
-    if (width < 1 || height < 1 || width * height > kMostImagePixels) throw std::runtime_error("more than 1 Gpixel");
+    const auto width = std::int64_t{window.max.x} - window.min.x + 1,
+               height = std::int64_t{window.max.y} - window.min.y + 1;
+    if (width < 1 || height < 1 || width * height > kMostImagePixels)
+        throw std::runtime_error("more than 1 Gpixel");
     ExrFile out{static_cast<int>(width), static_cast<int>(height), {}, metadataOf(input.header())};
     reserveChannels(out, input.header().channels(), static_cast<std::size_t>(width * height));
 
     Imf::FrameBuffer buffer;
     for (const ExrChannel& channel : out.channels)
-        buffer.insert(channel.name, sliceOf(channel.values.data(), window.min.x, window.min.y, out.width));
+        buffer.insert(channel.name,
+                      sliceOf(channel.values.data(), window.min.x, window.min.y, out.width));
     input.setFrameBuffer(buffer);
     constexpr int kRows = 64;
     for (int done = 0; done < out.height; done += kRows) {
         const int rows = std::min(kRows, out.height - done);
-        for (ExrChannel& channel : out.channels) channel.values.resize(static_cast<std::size_t>(done + rows) * static_cast<std::size_t>(out.width));
+        for (ExrChannel& channel : out.channels)
+            channel.values.resize(static_cast<std::size_t>(done + rows) *
+                                  static_cast<std::size_t>(out.width));
         input.readPixels(window.min.y + done, window.min.y + done + rows - 1);
     }
     return out;
 }
 
-/// Lets the library refuse absurd headers before it makes tables for them. A setting of the whole program: made once.
+/// Lets the library refuse absurd headers before it makes tables for them. A setting of the whole
+/// program: made once.
 void limitImageSize() {
     constexpr int kLongestSide = 1 << 20;
     static const bool done = (Imf::Header::setMaxImageSize(kLongestSide, kLongestSide), true);
     static_cast<void>(done);
 }
 
-Error exrError(const std::filesystem::path& path, const std::string& what, const std::string& why, std::string remedy) {
+Error exrError(const std::filesystem::path& path, const std::string& what, const std::string& why,
+               std::string remedy) {
     return {.message = what + ": " + why, .file = path.string(), .remedy = std::move(remedy)};
 }
 
@@ -111,7 +128,8 @@ Error exrError(const std::filesystem::path& path, const std::string& what, const
 
 Status saveExr(const std::filesystem::path& path, const ExrFile& file) {
     for (const ExrChannel& channel : file.channels)
-        GLINT_CHECK(channel.values.size() == static_cast<std::size_t>(file.width) * static_cast<std::size_t>(file.height));
+        GLINT_CHECK(channel.values.size() ==
+                    static_cast<std::size_t>(file.width) * static_cast<std::size_t>(file.height));
     auto created = SiblingFile::create(path);
     if (!created) return created.error();
     SiblingFile sibling = std::move(created).value();
@@ -119,14 +137,16 @@ Status saveExr(const std::filesystem::path& path, const ExrFile& file) {
         ExrStream stream(sibling.stream(), path.string());
         writePixels(stream, file);
     } catch (const std::exception& problem) {
-        return exrError(path, "could not be written", problem.what(), "free some space, or write elsewhere");
+        return exrError(path, "could not be written", problem.what(),
+                        "free some space, or write elsewhere");
     }
     return sibling.commit();
 }
 
 Result<ExrFile> loadExr(const std::filesystem::path& path) {
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) return exrError(path, "cannot be read", "no such file", "check the path");
+    if (!std::filesystem::exists(path, ignored))
+        return exrError(path, "cannot be read", "no such file", "check the path");
     try {
         limitImageSize();
         Imf::InputFile input(path.c_str(), 0);

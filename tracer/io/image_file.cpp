@@ -28,12 +28,15 @@ Module openModule() {
     constexpr const char* kName = "glint_image.so";
     std::error_code ignored;
     const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-    // Beside the program, one folder up (tests in the build tree), installed, and wherever the loader looks.
-    const std::array<fs::path, 4> places{folder / kName, folder.parent_path() / kName, folder.parent_path() / "lib/glint" / kName, kName};
+    // Beside the program, one folder up (tests in the build tree), installed, and wherever the
+    // loader looks.
+    const std::array<fs::path, 4> places{folder / kName, folder.parent_path() / kName,
+                                         folder.parent_path() / "lib/glint" / kName, kName};
     Module out;
     for (const fs::path& place : places) {
         if (place.has_parent_path() && !fs::exists(place, ignored)) continue;
-        void* library = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);  // Stays open as long as the program.
+        void* library =
+            dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);  // Stays open as long as the program.
         if (!library) {
             out.problem = dlerror();
             continue;
@@ -55,8 +58,10 @@ Error imageError(const fs::path& path, std::string message, std::string remedy) 
 }
 
 Error moduleError(const fs::path& path) {
-    return imageError(path, "needs the module glint_image.so, which could not be opened: " + imageModule().problem,
-                      "put it beside the program, or use EXR pictures");
+    return imageError(
+        path,
+        "needs the module glint_image.so, which could not be opened: " + imageModule().problem,
+        "put it beside the program, or use EXR pictures");
 }
 
 std::string endingOf(const fs::path& path) {
@@ -85,7 +90,9 @@ struct Filling {
         image.rgb.resize(rows * rowLength());
         return image.rgb.data() + at;
     }
-    [[nodiscard]] std::size_t rowLength() const { return 3 * static_cast<std::size_t>(image.width); }
+    [[nodiscard]] std::size_t rowLength() const {
+        return 3 * static_cast<std::size_t>(image.width);
+    }
 };
 
 /// Calls `work`; 0 or null if memory ran out, for no exception may cross into the module.
@@ -104,16 +111,22 @@ Result<Filling> readByModule(const fs::path& path) {
     const GlintPictureSink sink{
         &filling,
         [](void* context, int width, int height, int integers) {
-            return orNothing([&] { return static_cast<Filling*>(context)->begin(width, height, integers != 0); });
+            return orNothing([&] {
+                return static_cast<Filling*>(context)->begin(width, height, integers != 0);
+            });
         },
-        [](void* context, int count) { return orNothing([&] { return static_cast<Filling*>(context)->next(count); }); }};
+        [](void* context, int count) {
+            return orNothing([&] { return static_cast<Filling*>(context)->next(count); });
+        }};
     std::array<char, 400> error{};
     if (imageModule().read(path.c_str(), &sink, error.data(), error.size())) return filling;
-    return imageError(path, std::string("is not a readable picture: ") + error.data(), "export it again, as PNG, JPEG, HDR or EXR");
+    return imageError(path, std::string("is not a readable picture: ") + error.data(),
+                      "export it again, as PNG, JPEG, HDR or EXR");
 }
 
 const std::vector<float>* findChannel(const ExrFile& file, const std::string& name) {
-    const auto found = std::find_if(file.channels.begin(), file.channels.end(), [&](const ExrChannel& c) { return c.name == name; });
+    const auto found = std::find_if(file.channels.begin(), file.channels.end(),
+                                    [&](const ExrChannel& c) { return c.name == name; });
     return found == file.channels.end() ? nullptr : &found->values;
 }
 
@@ -121,9 +134,11 @@ const std::vector<float>* findChannel(const ExrFile& file, const std::string& na
 std::array<const std::vector<float>*, 3> colourChannels(const ExrFile& file) {
     std::vector<std::string> layers{""};
     for (const ExrChannel& channel : file.channels)
-        if (channel.name.ends_with(".R")) layers.push_back(channel.name.substr(0, channel.name.size() - 1));
+        if (channel.name.ends_with(".R"))
+            layers.push_back(channel.name.substr(0, channel.name.size() - 1));
     for (const std::string& layer : layers) {
-        const std::array channels{findChannel(file, layer + "R"), findChannel(file, layer + "G"), findChannel(file, layer + "B")};
+        const std::array channels{findChannel(file, layer + "R"), findChannel(file, layer + "G"),
+                                  findChannel(file, layer + "B")};
         if (channels[0] && channels[1] && channels[2]) return channels;
     }
     const auto* grey = findChannel(file, "Y");
@@ -134,7 +149,8 @@ Result<Filling> readExr(const fs::path& path) {
     const auto file = loadExr(path);
     if (!file) return file.error();
     const auto channels = colourChannels(file.value());
-    if (!channels[0]) return imageError(path, "has no channels R, G and B, nor Y", "export it with one of these");
+    if (!channels[0])
+        return imageError(path, "has no channels R, G and B, nor Y", "export it with one of these");
     Filling out;
     out.image.width = file.value().width;
     out.image.height = file.value().height;
@@ -152,22 +168,27 @@ void decodeSrgb(Filling& picture) {
     }
     constexpr float kLast = 65535;
     std::vector<float> table(65536);
-    for (std::size_t i = 0; i < table.size(); ++i) table[i] = linearFromSrgb(static_cast<float>(i) / kLast);
-    for (float& value : picture.image.rgb) value = table[static_cast<std::size_t>(std::clamp(value, 0.0F, 1.0F) * kLast + 0.5F)];
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table[i] = linearFromSrgb(static_cast<float>(i) / kLast);
+    for (float& value : picture.image.rgb)
+        value = table[static_cast<std::size_t>(std::clamp(value, 0.0F, 1.0F) * kLast + 0.5F)];
 }
 
 Status encodeByModule(const fs::path& path, const GlintPicture& picture) {
     if (!imageModule().encode) return moduleError(path);
     std::string bytes;
-    const GlintByteSink sink{&bytes, [](void* context, const unsigned char* data, std::size_t count) {
+    const GlintByteSink sink{&bytes,
+                             [](void* context, const unsigned char* data, std::size_t count) {
                                  return orNothing([&] {
-                                     static_cast<std::string*>(context)->assign(reinterpret_cast<const char*>(data), count);
+                                     static_cast<std::string*>(context)->assign(
+                                         reinterpret_cast<const char*>(data), count);
                                      return 1;
                                  });
                              }};
     std::array<char, 400> error{};
     if (!imageModule().encode(endingOf(path).c_str(), &picture, &sink, error.data(), error.size()))
-        return imageError(path, std::string("could not be encoded: ") + error.data(), "choose another format");
+        return imageError(path, std::string("could not be encoded: ") + error.data(),
+                          "choose another format");
     return writeWhole(path, bytes);
 }
 
@@ -181,7 +202,8 @@ Status saveLinearExr(const fs::path& path, const Image& image, const ImageMetada
     ExrFile file{image.width, image.height, {{"R", {}}, {"G", {}}, {"B", {}}}, metadata};
     for (std::size_t c = 0; c < 3; ++c) {
         file.channels[c].values.resize(image.rgb.size() / 3);
-        for (std::size_t i = 0; i < image.rgb.size() / 3; ++i) file.channels[c].values[i] = image.rgb[3 * i + c];
+        for (std::size_t i = 0; i < image.rgb.size() / 3; ++i)
+            file.channels[c].values[i] = image.rgb[3 * i + c];
     }
     return saveExr(path, file);
 }
@@ -191,21 +213,29 @@ Status saveLinearExr(const fs::path& path, const Image& image, const ImageMetada
 Result<std::shared_ptr<const Image>> loadImage(const fs::path& path, ColorSpace space) {
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored))
-        return imageError(path, fs::exists(path, ignored) ? "is not a file" : "there is no such file", "check the path");
+        return imageError(path,
+                          fs::exists(path, ignored) ? "is not a file" : "there is no such file",
+                          "check the path");
     try {
         auto read = endingOf(path) == ".exr" ? readExr(path) : readByModule(path);
         if (!read) return read.error();
         Filling picture = std::move(read).value();
-        const bool encoded = space == ColorSpace::Srgb || (space == ColorSpace::Auto && picture.integers);
+        const bool encoded =
+            space == ColorSpace::Srgb || (space == ColorSpace::Auto && picture.integers);
         if (encoded) decodeSrgb(picture);
         const auto& rgb = picture.image.rgb;
-        const auto bad = std::find_if(rgb.begin(), rgb.end(), [](float v) { return !std::isfinite(v); });
+        const auto bad =
+            std::find_if(rgb.begin(), rgb.end(), [](float v) { return !std::isfinite(v); });
         if (bad == rgb.end()) return std::make_shared<const Image>(std::move(picture.image));
-        const std::size_t pixel = static_cast<std::size_t>(bad - rgb.begin()) / 3, width = static_cast<std::size_t>(picture.image.width);
-        return imageError(path, "has a value that is not finite, at pixel " + std::to_string(pixel % width) + ", " + std::to_string(pixel / width),
+        const std::size_t pixel = static_cast<std::size_t>(bad - rgb.begin()) / 3,
+                          width = static_cast<std::size_t>(picture.image.width);
+        return imageError(path,
+                          "has a value that is not finite, at pixel " +
+                              std::to_string(pixel % width) + ", " + std::to_string(pixel / width),
                           "repair that pixel");
     } catch (const std::exception& problem) {
-        return imageError(path, std::string("could not be read: ") + problem.what(), "use a smaller picture");
+        return imageError(path, std::string("could not be read: ") + problem.what(),
+                          "use a smaller picture");
     }
 }
 
@@ -213,17 +243,22 @@ Status saveLinear(const fs::path& path, const Image& image, const ImageMetadata&
     GLINT_CHECK(isLinearFormat(path));
     if (endingOf(path) == ".exr") return saveLinearExr(path, image, metadata);
     const std::vector<GlintText> texts = textsOf(metadata);
-    return encodeByModule(path, {image.width, image.height, image.rgb.data(), 1, texts.data(), texts.size()});
+    return encodeByModule(
+        path, {image.width, image.height, image.rgb.data(), 1, texts.data(), texts.size()});
 }
 
-Status saveDisplay(const fs::path& path, int width, int height, const std::vector<unsigned char>& display, const ImageMetadata& metadata) {
+Status saveDisplay(const fs::path& path, int width, int height,
+                   const std::vector<unsigned char>& display, const ImageMetadata& metadata) {
     GLINT_CHECK(!isLinearFormat(path));
-    GLINT_CHECK(display.size() == 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    GLINT_CHECK(display.size() ==
+                3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     const std::vector<GlintText> texts = textsOf(metadata);
     return encodeByModule(path, {width, height, display.data(), 0, texts.data(), texts.size()});
 }
 
-bool isLinearFormat(const fs::path& path) { return endingOf(path) == ".exr" || endingOf(path) == ".hdr"; }
+bool isLinearFormat(const fs::path& path) {
+    return endingOf(path) == ".exr" || endingOf(path) == ".hdr";
+}
 
 bool isWritableFormat(const fs::path& path) {
     const auto& endings = writableEndings();
@@ -231,7 +266,8 @@ bool isWritableFormat(const fs::path& path) {
 }
 
 const std::vector<std::string>& writableEndings() {
-    static const std::vector<std::string> endings{".exr", ".png", ".hdr", ".jpg", ".jpeg", ".tif", ".tiff"};
+    static const std::vector<std::string> endings{".exr",  ".png", ".hdr", ".jpg",
+                                                  ".jpeg", ".tif", ".tiff"};
     return endings;
 }
 

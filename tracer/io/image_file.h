@@ -1,5 +1,6 @@
-// Pictures in files. EXR goes through OpenEXR directly; every other format through the module `glint_image` (OpenImageIO),
-// opened with the first picture that needs it because it takes 0.3 s to load.
+// Pictures in files. EXR goes through OpenEXR directly; every other format through the module
+// `glint_image` (OpenImageIO), opened with the first picture that needs it because it takes 0.3 s
+// to load.
 #pragma once
 
 #include <cstdint>
@@ -26,16 +27,20 @@ inline constexpr std::int64_t kMostImagePixels = std::int64_t{1} << 30;
 /// Text stored in a picture file: scene hash, seed, spp, version ...
 using ImageMetadata = std::map<std::string, std::string>;
 
-/// Reads any picture. ColorSpace::Auto takes integer formats as sRGB and float formats as linear. Grey becomes RGB, alpha is
-/// dropped. Errors: cannot be opened, not a picture, truncated, larger than kMostImagePixels, a value that is not finite,
-/// no module. May be called from any thread.
-[[nodiscard]] Result<std::shared_ptr<const Image>> loadImage(const std::filesystem::path& path, ColorSpace space = ColorSpace::Auto);
+/// Reads any picture. ColorSpace::Auto takes integer formats as sRGB and float formats as linear.
+/// Grey becomes RGB, alpha is dropped. Errors: cannot be opened, not a picture, truncated, larger
+/// than kMostImagePixels, a value that is not finite, no module. May be called from any thread.
+[[nodiscard]] Result<std::shared_ptr<const Image>> loadImage(const std::filesystem::path& path,
+                                                             ColorSpace space = ColorSpace::Auto);
 
-/// Writes a picture by the ending of `path`, whole or not at all: .exr and .hdr linear, .png .jpg .tif as they are given in
-/// `display` (0..255, width x height x 3), which comes from the display transform.
-[[nodiscard]] Status saveLinear(const std::filesystem::path& path, const Image& image, const ImageMetadata& metadata);
+/// Writes a picture by the ending of `path`, whole or not at all: .exr and .hdr linear, .png .jpg
+/// .tif as they are given in `display` (0..255, width x height x 3), which comes from the display
+/// transform.
+[[nodiscard]] Status saveLinear(const std::filesystem::path& path, const Image& image,
+                                const ImageMetadata& metadata);
 [[nodiscard]] Status saveDisplay(const std::filesystem::path& path, int width, int height,
-                                 const std::vector<unsigned char>& display, const ImageMetadata& metadata);
+                                 const std::vector<unsigned char>& display,
+                                 const ImageMetadata& metadata);
 /// The ending names a format that holds linear light (.exr, .hdr).
 [[nodiscard]] bool isLinearFormat(const std::filesystem::path& path);
 /// The ending, in upper or lower case, is one of writableEndings().

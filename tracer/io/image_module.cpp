@@ -10,7 +10,8 @@
 
 namespace {
 
-/// Rows read at a time, so that a truncated file ends the reading before the whole picture's memory is touched.
+/// Rows read at a time, so that a truncated file ends the reading before the whole picture's memory
+/// is touched.
 constexpr int kRows = 64;
 constexpr int kJpegQuality = 95;
 
@@ -54,6 +55,8 @@ class MemoryFile : public OIIO::Filesystem::IOProxy {
     std::vector<unsigned char> bytes_;
 };
 
+[[noreturn]] void fail(const std::string& why) { throw std::runtime_error(why); }
+
 /// Runs `work` and turns what it throws into the error text.
 template <class Work>
 int guarded(char* error, std::size_t errorSize, Work&& work) {
@@ -70,13 +73,15 @@ int guarded(char* error, std::size_t errorSize, Work&& work) {
     }
 }
 
-void readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, int end, int channels, float* out) {
+void readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, int end,
+              int channels, float* out) {
     const int y0 = spec.y + begin, y1 = spec.y + end;
-    const bool good = spec.tile_width > 0
-                          ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, y0, y1, spec.z, spec.z + 1, 0, channels,
-                                             OIIO::TypeFloat, out)
-                          : input.read_scanlines(0, 0, y0, y1, spec.z, 0, channels, OIIO::TypeFloat, out);
-    if (!good) throw std::runtime_error(input.geterror());
+    const bool good =
+        spec.tile_width > 0
+            ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, y0, y1, spec.z, spec.z + 1, 0,
+                               channels, OIIO::TypeFloat, out)
+            : input.read_scanlines(0, 0, y0, y1, spec.z, 0, channels, OIIO::TypeFloat, out);
+    if (!good) fail(input.geterror());
 }
 
 /// Spreads `count` grey values at the beginning of `out` over three channels, from the back.
@@ -91,9 +96,10 @@ void readPicture(const char* path, const GlintPictureSink& sink) {
     OIIO::ImageSpec config;
     config["oiio:UnassociatedAlpha"] = 1;
     const auto input = OIIO::ImageInput::open(path, &config);
-    if (!input) throw std::runtime_error(OIIO::geterror());
+    if (!input) fail(OIIO::geterror());
     const OIIO::ImageSpec spec = input->spec();
-    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) throw std::runtime_error("it has no pixels");
+    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
+        throw std::runtime_error("it has no pixels");
     if (!sink.begin(sink.context, spec.width, spec.height, spec.format.is_floating_point() ? 0 : 1))
         throw std::runtime_error("more than 1 Gpixel, or than the memory holds");
 
@@ -104,13 +110,17 @@ void readPicture(const char* path, const GlintPictureSink& sink) {
         float* rows = sink.rows(sink.context, count);
         if (!rows) throw std::runtime_error("not enough memory");
         readRows(*input, spec, y, y + count, channels, rows);
-        if (channels == 1) spreadGrey(rows, static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(count));
+        if (channels == 1)
+            spreadGrey(rows,
+                       static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(count));
     }
 }
 
 OIIO::ImageSpec specOf(const GlintPicture& picture, const std::string& ending) {
-    OIIO::ImageSpec spec(picture.width, picture.height, 3, picture.floats ? OIIO::TypeFloat : OIIO::TypeUInt8);
-    // In TIFF it would become Exif data, whose writing spoils the file's directory (OpenImageIO 2.4.7 in memory).
+    OIIO::ImageSpec spec(picture.width, picture.height, 3,
+                         picture.floats ? OIIO::TypeFloat : OIIO::TypeUInt8);
+    // In TIFF it would become Exif data, whose writing spoils the file's directory
+    // (OpenImageIO 2.4.7 in memory).
     if (!ending.starts_with(".t")) spec["oiio:ColorSpace"] = picture.floats ? "Linear" : "sRGB";
     if (ending.starts_with(".j")) {
         spec["CompressionQuality"] = kJpegQuality;
@@ -130,22 +140,25 @@ OIIO::ImageSpec specOf(const GlintPicture& picture, const std::string& ending) {
 void encodePicture(const char* ending, const GlintPicture& picture, const GlintByteSink& sink) {
     const std::string name = std::string("picture") + ending;
     const auto output = OIIO::ImageOutput::create(name);
-    if (!output) throw std::runtime_error(OIIO::geterror());
+    if (!output) fail(OIIO::geterror());
     MemoryFile memory;
     output->set_ioproxy(&memory);
     const auto type = picture.floats ? OIIO::TypeFloat : OIIO::TypeUInt8;
-    const bool good = output->open(name, specOf(picture, ending)) && output->write_image(type, picture.pixels) && output->close();
-    if (!good) throw std::runtime_error(output->geterror());
-    if (!sink.take(sink.context, memory.bytes().data(), memory.bytes().size())) throw std::runtime_error("not enough memory");
+    const bool good = output->open(name, specOf(picture, ending)) &&
+                      output->write_image(type, picture.pixels) && output->close();
+    if (!good) fail(output->geterror());
+    if (!sink.take(sink.context, memory.bytes().data(), memory.bytes().size()))
+        throw std::runtime_error("not enough memory");
 }
 
 }  // namespace
 
-int glintReadPicture(const char* path, const GlintPictureSink* sink, char* error, std::size_t errorSize) {
+int glintReadPicture(const char* path, const GlintPictureSink* sink, char* error,
+                     std::size_t errorSize) {
     return guarded(error, errorSize, [&] { readPicture(path, *sink); });
 }
 
-int glintEncodePicture(const char* ending, const GlintPicture* picture, const GlintByteSink* sink, char* error,
-                       std::size_t errorSize) {
+int glintEncodePicture(const char* ending, const GlintPicture* picture, const GlintByteSink* sink,
+                       char* error, std::size_t errorSize) {
     return guarded(error, errorSize, [&] { encodePicture(ending, *picture, *sink); });
 }

@@ -1,5 +1,6 @@
-// The C interface between image_file.cpp and the module glint_image.so, which is the only part of Glint that links
-// OpenImageIO. Functions return 1 for success; else 0 with a message in `error`. No exception crosses it, either way.
+// The C interface between image_file.cpp and the module glint_image.so, which is the only part of
+// Glint that links OpenImageIO. Functions return 1 for success; else 0 with a message in `error`.
+// No exception crosses it, either way.
 #pragma once
 
 #include <cstddef>
@@ -35,11 +36,13 @@ struct GlintByteSink {
     int (*take)(void* context, const unsigned char* bytes, std::size_t count);
 };
 
-using GlintReadPicture = int(const char* path, const GlintPictureSink* sink, char* error, std::size_t errorSize);
-using GlintEncodePicture = int(const char* ending, const GlintPicture* picture, const GlintByteSink* sink, char* error,
-                               std::size_t errorSize);
+using GlintReadPicture = int(const char* path, const GlintPictureSink* sink, char* error,
+                             std::size_t errorSize);
+using GlintEncodePicture = int(const char* ending, const GlintPicture* picture,
+                               const GlintByteSink* sink, char* error, std::size_t errorSize);
 
-/// Reads the first picture of a file. Grey becomes RGB, alpha is dropped without having been multiplied.
+/// Reads the first picture of a file. Grey becomes RGB, alpha is dropped without having been
+/// multiplied.
 GlintReadPicture glintReadPicture;
 /// Encodes as the format of a file name's ending (".png").
 GlintEncodePicture glintEncodePicture;

@@ -61,7 +61,8 @@ void appendValue(std::string& out, const Json& json, std::size_t indent) {
     const std::size_t before = out.size();
     const std::size_t lineStart = out.rfind('\n') + 1;
     const bool top = indent == 0;
-    if (!json.is_structured() || json.empty() || (!top && appendLine(out, json, lineStart + kLineLength))) {
+    if (!json.is_structured() || json.empty() ||
+        (!top && appendLine(out, json, lineStart + kLineLength))) {
         if (out.size() == before) appendLine(out, json, std::string::npos);
         return;
     }
@@ -91,7 +92,8 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const bool same = lower(a[i - 1]) == lower(b[j - 1]);
             row[j] = std::min({up[j] + 1, row[j - 1] + 1, up[j - 1] + (same ? 0U : 1U)});
-            if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]))
+            if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
+                lower(a[i - 2]) == lower(b[j - 1]))
                 row[j] = std::min(row[j], twoUp[j - 2] + 1);
         }
         twoUp = std::exchange(up, row);
@@ -133,7 +135,8 @@ std::vector<std::string> pointerTokens(std::string_view pointer) {
         if (pointer[i] == '/') {
             out.emplace_back();
         } else if (!out.empty()) {
-            const bool escape = pointer[i] == '~' && i + 1 < pointer.size() && (pointer[i + 1] == '0' || pointer[i + 1] == '1');
+            const bool escape = pointer[i] == '~' && i + 1 < pointer.size() &&
+                                (pointer[i + 1] == '0' || pointer[i + 1] == '1');
             out.back() += escape ? (pointer[++i] == '0' ? '~' : '/') : pointer[i];
         }
     }
@@ -142,7 +145,9 @@ std::vector<std::string> pointerTokens(std::string_view pointer) {
 
 std::string shortened(std::string_view text, std::size_t limit) {
     std::size_t length = std::min(text.size(), limit);
-    const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U; };
+    const auto continues = [&](std::size_t i) {
+        return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;
+    };
     while (length > 0 && length < text.size() && continues(length)) --length;
     std::string out(text.substr(0, length));
     for (char& c : out)

@@ -1,5 +1,5 @@
-// Parsing: the JSON library's event parser feeding a builder that also refuses duplicate keys and deep nesting, which the
-// library's own builder lets pass.
+// Parsing: the JSON library's event parser feeding a builder that also refuses duplicate keys and
+// deep nesting, which the library's own builder lets pass.
 #include <algorithm>
 #include <iterator>
 #include <unordered_set>
@@ -35,7 +35,8 @@ class TrackedIterator {
 /// Builds the value. Holds the first error; the parser stops there.
 class Builder {
   public:
-    Builder(std::string_view text, const std::string& file) : text_(text), file_(file), reached_(text.data()) {}
+    Builder(std::string_view text, const std::string& file)
+        : text_(text), file_(file), reached_(text.data()) {}
 
     TrackedIterator begin() { return {text_.data(), &reached_}; }
     TrackedIterator end() { return {text_.data() + text_.size(), &reached_}; }
@@ -59,7 +60,8 @@ class Builder {
         return true;
     }
 
-    bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& problem) {
+    bool parse_error(std::size_t position, const std::string&,
+                     const nlohmann::detail::exception& problem) {
         error_.message = syntaxMessage(problem.what());
         error_.remedy = "correct the JSON here: text in double quotes, finite numbers, no comments";
         place(position > 0 ? position - 1 : 0);
@@ -82,9 +84,11 @@ class Builder {
     Json* add(Json value) {
         if (levels_.empty()) return &(root_ = std::move(value));
         Level& level = levels_.back();
-        if (level.value->is_array()) return &level.value->get_ref<Json::array_t&>().emplace_back(std::move(value));
+        if (level.value->is_array())
+            return &level.value->get_ref<Json::array_t&>().emplace_back(std::move(value));
         // The object's own insertion would search its keys again.
-        std::vector<std::pair<const std::string, Json>>& members = level.value->get_ref<Json::object_t&>();
+        std::vector<std::pair<const std::string, Json>>& members =
+            level.value->get_ref<Json::object_t&>();
         return &members.emplace_back(std::move(level.key), std::move(value)).second;
     }
 
@@ -113,18 +117,18 @@ class Builder {
         Level& level = levels_.back();
         const auto& members = level.value->get_ref<Json::object_t&>();
         if (members.size() < kSearched)
-            return std::none_of(members.begin(), members.end(), [&](const auto& m) { return m.first == name; });
+            return std::none_of(members.begin(), members.end(),
+                                [&](const auto& m) { return m.first == name; });
         if (level.keys.empty())
             for (const auto& member : members) level.keys.insert(member.first);
         return level.keys.insert(name).second;
     }
 
     bool duplicate(const std::string& name) {
-        for (const Level& level : levels_) {
-            if (&level == &levels_.back()) break;
-            error_.pointer += "/" + (level.value->is_array() ? std::to_string(level.value->size() - 1) : escapedToken(level.value->get_ref<Json::object_t&>().back().first));
-        }
-        error_.pointer += "/" + escapedToken(name);
+        std::string pointer;
+        for (std::size_t i = 0; i + 1 < levels_.size(); ++i)
+            pointer += "/" + lastToken(*levels_[i].value);
+        error_.pointer = shortened(pointer + "/" + escapedToken(name), kPointerShown);
         error_.message = "the key " + inQuotes(name) + " stands twice in one object";
         error_.remedy = "keep one of the two";
         const std::size_t value = text_.find_first_not_of(" \t\r\n:", offset());
@@ -132,7 +136,15 @@ class Builder {
         return false;
     }
 
-    [[nodiscard]] std::size_t offset() const { return static_cast<std::size_t>(reached_ - text_.data()); }
+    /// The token of the newest member of a container.
+    static std::string lastToken(const Json& container) {
+        if (container.is_array()) return std::to_string(container.size() - 1);
+        return escapedToken(container.get_ref<const Json::object_t&>().back().first);
+    }
+
+    [[nodiscard]] std::size_t offset() const {
+        return static_cast<std::size_t>(reached_ - text_.data());
+    }
 
     void place(std::size_t at) {
         const TextPlace found = placeAt(text_, at);
@@ -164,7 +176,9 @@ class Builder {
 
 Result<Json> parseJson(std::string_view text, const std::string& file) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-        return Error{.message = "the file is empty", .file = file, .remedy = "a scene begins with {\"glint\": 1"};
+        return Error{.message = "the file is empty",
+                     .file = file,
+                     .remedy = "a scene begins with {\"glint\": 1"};
     Builder builder(text, file);
     if (!Json::sax_parse(builder.begin(), builder.end(), &builder)) return builder.takeError();
     return builder.takeValue();

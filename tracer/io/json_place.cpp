@@ -1,5 +1,5 @@
-// Places: byte -> line and column, and JSON pointer -> place. Pointers are looked up only once something is wrong, so that
-// reading a good file pays nothing for them.
+// Places: byte -> line and column, and JSON pointer -> place. Pointers are looked up only once
+// something is wrong, so that reading a good file pays nothing for them.
 #include <algorithm>
 #include <unordered_map>
 
@@ -14,7 +14,8 @@ class PointerScanner {
   public:
     PointerScanner(std::string_view text, const std::vector<std::string>& pointers) : text_(text) {
         for (std::string pointer : pointers)
-            while (offsets_.emplace(pointer, std::string_view::npos).second && !pointer.empty()) pointer = parentOf(pointer);
+            while (offsets_.emplace(pointer, std::string_view::npos).second && !pointer.empty())
+                pointer = parentOf(pointer);
     }
 
     void run() {
@@ -36,7 +37,8 @@ class PointerScanner {
 
     /// Where the value begins, or else the innermost one around its place.
     [[nodiscard]] std::size_t offset(std::string pointer) const {
-        while (offsets_.at(pointer) == std::string_view::npos && !pointer.empty()) pointer = parentOf(pointer);
+        while (offsets_.at(pointer) == std::string_view::npos && !pointer.empty())
+            pointer = parentOf(pointer);
         return offsets_.at(pointer);
     }
 
@@ -47,7 +49,9 @@ class PointerScanner {
         std::size_t pathLength;  ///< of the container itself
     };
 
-    static std::string parentOf(const std::string& pointer) { return pointer.substr(0, pointer.rfind('/')); }
+    static std::string parentOf(const std::string& pointer) {
+        return pointer.substr(0, pointer.rfind('/'));
+    }
 
     void member(Level& level) {
         path_.resize(level.pathLength);
@@ -63,7 +67,8 @@ class PointerScanner {
     }
 
     void value() {
-        if (const auto wanted = offsets_.find(path_); wanted != offsets_.end()) wanted->second = at_;
+        if (const auto wanted = offsets_.find(path_); wanted != offsets_.end())
+            wanted->second = at_;
         if (at_ >= text_.size()) return;
         const char c = text_[at_];
         if (c == '{' || c == '[') {
@@ -80,7 +85,8 @@ class PointerScanner {
         const std::size_t begin = at_;
         skipString();
         const std::string_view token = text_.substr(begin, at_ - begin);
-        if (token.find('\\') == std::string_view::npos) return std::string(token.substr(1, token.size() - 2));
+        if (token.find('\\') == std::string_view::npos)
+            return std::string(token.substr(1, token.size() - 2));
         const Json decoded = Json::parse(token, nullptr, false);
         return decoded.is_string() ? decoded.get<std::string>() : std::string(token);
     }
@@ -137,7 +143,8 @@ std::vector<TextPlace> placesOf(std::string_view text, const std::vector<std::st
     PointerScanner scanner(text, pointers);
     scanner.run();
     std::vector<std::pair<std::size_t, std::size_t>> order;  // Offset, index in `pointers`.
-    for (std::size_t i = 0; i < pointers.size(); ++i) order.emplace_back(scanner.offset(pointers[i]), i);
+    for (std::size_t i = 0; i < pointers.size(); ++i)
+        order.emplace_back(scanner.offset(pointers[i]), i);
     std::sort(order.begin(), order.end());
     std::vector<TextPlace> out(pointers.size());
     PlaceCounter counter(text);

@@ -27,7 +27,7 @@ namespace glint {
 }
 
 template <class E>
-    requires std::is_enum_v<E>
+requires std::is_enum_v<E>
 [[nodiscard]] Json toJson(E value) {
     return std::string(enumNames(value)[static_cast<std::size_t>(value)]);
 }

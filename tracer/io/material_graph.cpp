@@ -8,7 +8,8 @@ namespace glint {
 
 namespace {
 
-/// Depth first with a stack of its own, so that a long chain of mixes cannot overflow the program's.
+/// Depth first with a stack of its own, so that a long chain of mixes cannot overflow the
+/// program's.
 class Walk {
   public:
     explicit Walk(const Scene& scene) : scene_(scene) {}
@@ -37,7 +38,8 @@ class Walk {
             }
             const MaterialId part = (step.nextPart++ == 0 ? mix->a : mix->b).material;
             if (!scene_.materials.find(part)) continue;
-            if (state_[part.value] == State::Open && !closes(step.id)) graph_.closingCycle.push_back(step.id);
+            if (state_[part.value] == State::Open && !closes(step.id))
+                graph_.closingCycle.push_back(step.id);
             if (state_[part.value] == State::New) open(part);
         }
     }
@@ -51,7 +53,8 @@ class Walk {
         MaterialContent content;
         if (mix) {
             const MaterialContent a = of(mix->a), b = of(mix->b);
-            content = {std::min(a.leaves + b.leaves, kMaxMixLeaves + 1), a.solidGlass || b.solidGlass};
+            content = {std::min(a.leaves + b.leaves, kMaxMixLeaves + 1),
+                       a.solidGlass || b.solidGlass};
         } else if (const auto* glass = std::get_if<Glass>(&scene_.materials.at(id).value)) {
             content.solidGlass = !glass->thin;
         }

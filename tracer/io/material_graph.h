@@ -1,4 +1,5 @@
-// The materials of a scene as a graph of mixes: cycles, and what a material holds through any number of mixes.
+// The materials of a scene as a graph of mixes: cycles, and what a material holds through any
+// number of mixes.
 #pragma once
 
 #include <unordered_map>
@@ -16,7 +17,7 @@ struct MaterialContent {
 
 struct MaterialGraph {
     std::unordered_map<std::uint32_t, MaterialContent> content;  ///< by id
-    std::vector<MaterialId> closingCycle;                        ///< mixes whose removal leaves no cycle
+    std::vector<MaterialId> closingCycle;  ///< mixes whose removal leaves no cycle
 };
 
 [[nodiscard]] MaterialGraph materialGraph(const Scene& scene);

@@ -1,5 +1,7 @@
 #include "tracer/io/render_stats.h"
 
+#include <cmath>
+
 #include "tracer/io/atomic_file.h"
 #include "tracer/io/json_text.h"
 
@@ -16,7 +18,10 @@ Status saveStats(const RenderStats& stats, const std::filesystem::path& path) {
     out["seed"] = stats.seed;
     out["setup_seconds"] = stats.setupSeconds;
     out["render_seconds"] = stats.renderSeconds;
-    out["rays"] = Json{{"primary", stats.primaryRays}, {"shadow", stats.shadowRays}, {"scatter", stats.scatterRays}};
+    out["error_percent"] = std::isfinite(stats.errorPercent) ? Json(stats.errorPercent) : Json();
+    out["rays"] = Json{{"primary", stats.primaryRays},
+                       {"shadow", stats.shadowRays},
+                       {"scatter", stats.scatterRays}};
     out["nonfinite_samples"] = stats.nonfiniteSamples;
     out["features"] = stats.features;
     out["kernel"] = stats.kernel;

@@ -24,11 +24,13 @@ std::vector<unsigned char> displayed(const Image& image, const Display& display)
 }  // namespace
 
 Status saveRendering(const std::filesystem::path& path, const Scene& scene, const Rendering& rendering) {
-    const ImageMetadata metadata = {{"glint:sceneHash", sceneHash(scene)},
+    ImageMetadata metadata = {{"glint:sceneHash", sceneHash(scene)},
                                     {"glint:seed", std::to_string(scene.render.seed)},
                                     {"glint:spp", std::to_string(rendering.spp)},
                                     {"glint:version", GLINT_VERSION}};
+    if (scene.render.clamp > 0) metadata["glint:biased"] = "clamp " + std::to_string(scene.render.clamp);
     const Image& image = rendering.beauty;
+    if (!rendering.layers.empty()) return saveExr(path, {image.width, image.height, rendering.layers, metadata});
     if (isLinearFormat(path)) return saveLinear(path, image, metadata);
     return saveDisplay(path, image.width, image.height, displayed(image, scene.display), metadata);
 }

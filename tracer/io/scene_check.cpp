@@ -46,19 +46,26 @@ class Checker {
     };
 
     void add(std::string pointer, std::string message, std::string remedy) {
-        problems_.push_back({.message = std::move(message), .pointer = std::move(pointer), .remedy = std::move(remedy)});
+        problems_.push_back({.message = std::move(message),
+                             .pointer = std::move(pointer),
+                             .remedy = std::move(remedy)});
     }
 
     /// Calls `check(value, "/section/index", id)` for each entry of a table.
     template <class Table, class Check>
     void forEach(const Table& table, const std::string& section, Check&& check) {
         std::size_t index = 0;
-        table.forEach([&](auto id, const auto& value) { check(value, "/" + section + "/" + std::to_string(index++), id); });
+        table.forEach([&](auto id, const auto& value) {
+            check(value, "/" + section + "/" + std::to_string(index++), id);
+        });
     }
 
     void checkCameras() {
         if (!scene_.activeCamera) checkCamera(scene_.camera, "/camera");
-        forEach(scene_.cameras, "cameras", [&](const Camera& camera, const std::string& at, CameraId) { checkCamera(camera, at); });
+        forEach(scene_.cameras, "cameras",
+                [&](const Camera& camera, const std::string& at, CameraId) {
+                    checkCamera(camera, at);
+                });
         for (std::size_t i = 0; i < scene_.views.size(); ++i) {
             const std::string at = "/views/" + std::to_string(i);
             checkCamera(scene_.views[i], at);
@@ -68,38 +75,53 @@ class Checker {
 
     void checkCamera(const Camera& camera, const std::string& at) {
         const DVec3 view = unit(camera.target / 2.0 - camera.position / 2.0);
-        // Below this sine of the angle between view and up, rounding decides what is right and left.
+        // Below this sine of the angle between view and up, rounding decides what is right and
+        // left.
         constexpr double kSmallestSine = 1e-9;
         if (isZero(view))
             add(at + "/target", "the camera's target is its position", "move one of them");
         else if (isZero(camera.up))
             add(at + "/up", "up has no direction", kNonzeroRemedy);
         else if (glm::length(glm::cross(view, unit(camera.up))) < kSmallestSine)
-            add(at + "/up", "up lies along the view", "turn it, as [0, 0, -1] for a view straight down");
-        if (camera.verticalFovDegrees >= 180) add(at + "/vertical_fov_degrees", "the angle of view is not below 180", "use a smaller one");
+            add(at + "/up", "up lies along the view",
+                "turn it, as [0, 0, -1] for a view straight down");
+        if (camera.verticalFovDegrees >= 180)
+            add(at + "/vertical_fov_degrees", "the angle of view is not below 180",
+                "use a smaller one");
     }
 
     void checkEnvironment() {
         const Environment& environment = scene_.environment;
         const Color color = environment.effectiveColor();
         if (!environment.image.empty() && environment.sky)
-            add("/environment/sky", "the environment has both an image and a sky", "remove one of them");
+            add("/environment/sky", "the environment has both an image and a sky",
+                "remove one of them");
         if (environment.sky && isZero(environment.sky->sunDirection))
             add("/environment/sky/sun_direction", "the sun has no direction", kNonzeroRemedy);
         if (!(environment.intensity * std::max({color.r, color.g, color.b, 1.0}) <= kLargestColor))
-            add("/environment/intensity", "colour times intensity is beyond 1e30", "use a smaller one");
+            add("/environment/intensity", "colour times intensity is beyond 1e30",
+                "use a smaller one");
     }
 
     void checkMaterials() {
         for (const MaterialId id : materials_.closingCycle) inCycle_.insert(id.value);
-        forEach(scene_.materials, "materials", [&](const Material& material, const std::string& at, MaterialId id) {
-            if (material.name == "clear") add(at + "/name", "\"clear\" is the name of nothing at all in a mix", "choose another name");
-            if (inCycle_.contains(id.value)) add(at, "the mix " + inQuotes(material.name) + " contains itself", "mix other materials");
-            if (const auto found = materials_.content.find(id.value);
-                found != materials_.content.end() && found->second.leaves > kMaxMixLeaves)
-                add(at, "the mix blends more than " + std::to_string(kMaxMixLeaves) + " materials", "nest fewer mixes");
-            if (const auto* translucent = std::get_if<Translucent>(&material.value)) checkTranslucent(*translucent, at);
-        });
+        forEach(
+            scene_.materials, "materials",
+            [&](const Material& material, const std::string& at, MaterialId id) {
+                if (material.name == "clear")
+                    add(at + "/name", "\"clear\" is the name of nothing at all in a mix",
+                        "choose another name");
+                if (inCycle_.contains(id.value))
+                    add(at, "the mix " + inQuotes(material.name) + " contains itself",
+                        "mix other materials");
+                if (const auto found = materials_.content.find(id.value);
+                    found != materials_.content.end() && found->second.leaves > kMaxMixLeaves)
+                    add(at,
+                        "the mix blends more than " + std::to_string(kMaxMixLeaves) + " materials",
+                        "nest fewer mixes");
+                if (const auto* translucent = std::get_if<Translucent>(&material.value))
+                    checkTranslucent(*translucent, at);
+            });
     }
 
     void checkTranslucent(const Translucent& material, const std::string& at) {
@@ -112,27 +134,34 @@ class Checker {
     }
 
     void checkTransform(const Transform& transform, const std::string& at) {
-        const bool flat = !transform.matrix && (transform.scale.x == 0 || transform.scale.y == 0 || transform.scale.z == 0);
+        const bool flat = !transform.matrix && (transform.scale.x == 0 || transform.scale.y == 0 ||
+                                                transform.scale.z == 0);
         if (flat)
             add(at + "/transform/scale", "a scale is 0", "use another factor");
         else if (!inverse(toAffine(transform)))
-            add(at + (transform.matrix ? "/transform/matrix" : "/transform"), "the transform cannot be inverted",
+            add(at + (transform.matrix ? "/transform/matrix" : "/transform"),
+                "the transform cannot be inverted",
                 "use one that keeps three dimensions and finite sizes");
     }
 
-    /// The transform by itself, and together with those of the groups above. Whatever is wrong above is not held against it.
+    /// The transform by itself, and together with those of the groups above. Whatever is wrong
+    /// above is not held against it.
     void checkPlace(const Transform& transform, GroupId parent, const std::string& at) {
         const std::size_t before = problems_.size();
         checkTransform(transform, at);
         const Place& above = place(parent);
-        if (problems_.size() == before && above.sound && !inverse(above.world * toAffine(transform)))
-            add(at + "/transform", "the transform cannot be inverted together with its groups'", "use less extreme scales");
+        if (problems_.size() == before && above.sound &&
+            !inverse(above.world * toAffine(transform)))
+            add(at + "/transform", "the transform cannot be inverted together with its groups'",
+                "use less extreme scales");
     }
 
-    /// The groups, each after the one that holds it; one that closes a cycle is a problem and counts as the top.
+    /// The groups, each after the one that holds it; one that closes a cycle is a problem and
+    /// counts as the top.
     void checkGroups() {
         std::unordered_map<std::uint32_t, std::string> pointers;
-        forEach(scene_.groups, "groups", [&](const Group&, const std::string& at, GroupId id) { pointers[id.value] = at; });
+        forEach(scene_.groups, "groups",
+                [&](const Group&, const std::string& at, GroupId id) { pointers[id.value] = at; });
         for (const GroupId start : scene_.groups.ids()) {
             std::vector<GroupId> chain;
             for (GroupId at = start; isNew(at); at = scene_.groups.at(at).parent) {
@@ -142,7 +171,9 @@ class Checker {
             if (chain.empty()) continue;
             const Group& top = scene_.groups.at(chain.back());
             if (opened_.contains(top.parent.value) && !places_.contains(top.parent.value))
-                add(pointers[chain.back().value] + "/parent", "the group " + inQuotes(top.name) + " contains itself", "put it into another group");
+                add(pointers[chain.back().value] + "/parent",
+                    "the group " + inQuotes(top.name) + " contains itself",
+                    "put it into another group");
             for (auto id = chain.rbegin(); id != chain.rend(); ++id) {
                 const Group& group = scene_.groups.at(*id);
                 checkPlace(group.transform, group.parent, pointers[id->value]);
@@ -152,7 +183,9 @@ class Checker {
         }
     }
 
-    [[nodiscard]] bool isNew(GroupId group) const { return scene_.groups.find(group) && !opened_.contains(group.value); }
+    [[nodiscard]] bool isNew(GroupId group) const {
+        return scene_.groups.find(group) && !opened_.contains(group.value);
+    }
 
     /// Where a group is in the world; for none, the world itself.
     [[nodiscard]] const Place& place(GroupId group) const {
@@ -162,14 +195,19 @@ class Checker {
     }
 
     void checkObjects() {
-        forEach(scene_.objects, "objects", [&](const Object& object, const std::string& at, ObjectId) {
-            checkPlace(object.transform, object.parent, at);
-            if (std::holds_alternative<Plane>(object.shape) && !isZero(object.emission))
-                add(at + "/emission", "an infinite plane cannot emit light", "use a quad, or a light");
-            const bool sheet = std::holds_alternative<Quad>(object.shape) || std::holds_alternative<Disk>(object.shape);
-            if (sheet && hasSolidGlass(object.material))
-                add(at + "/material", "glass on a " + std::string(kindOf(object.shape)) + ", which has no inside", "set \"thin\" in the glass");
-        });
+        forEach(
+            scene_.objects, "objects", [&](const Object& object, const std::string& at, ObjectId) {
+                checkPlace(object.transform, object.parent, at);
+                if (std::holds_alternative<Plane>(object.shape) && !isZero(object.emission))
+                    add(at + "/emission", "an infinite plane cannot emit light",
+                        "use a quad, or a light");
+                const bool sheet = std::holds_alternative<Quad>(object.shape) ||
+                                   std::holds_alternative<Disk>(object.shape);
+                if (sheet && hasSolidGlass(object.material))
+                    add(at + "/material",
+                        "glass on a " + std::string(kindOf(object.shape)) + ", which has no inside",
+                        "set \"thin\" in the glass");
+            });
     }
 
     [[nodiscard]] bool hasSolidGlass(MaterialId material) const {
@@ -180,16 +218,18 @@ class Checker {
     void checkLights() {
         forEach(scene_.lights, "lights", [&](const Light& light, const std::string& at, LightId) {
             const auto* spot = std::get_if<SpotLight>(&light.value);
-            if (spot && spot->position == spot->target) add(at + "/target", "the light's target is its position", "move one of them");
+            if (spot && spot->position == spot->target)
+                add(at + "/target", "the light's target is its position", "move one of them");
             const auto* sun = std::get_if<SunLight>(&light.value);
-            if (sun && isZero(sun->direction)) add(at + "/direction", "the sun has no direction", kNonzeroRemedy);
+            if (sun && isZero(sun->direction))
+                add(at + "/direction", "the sun has no direction", kNonzeroRemedy);
         });
     }
 
     const Scene& scene_;
     MaterialGraph materials_;
     std::unordered_set<std::uint32_t> inCycle_;
-    std::unordered_set<std::uint32_t> opened_;       ///< groups already walked over
+    std::unordered_set<std::uint32_t> opened_;         ///< groups already walked over
     std::unordered_map<std::uint32_t, Place> places_;  ///< of groups, by id
     std::vector<Error> problems_;
 };

@@ -1,5 +1,5 @@
-// Rules of a scene that concern more than one field: places that cannot be inverted, cycles, light and material
-// combinations that have no meaning. Ranges of single fields are in the field tables.
+// Rules of a scene that concern more than one field: places that cannot be inverted, cycles, light
+// and material combinations that have no meaning. Ranges of single fields are in the field tables.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace glint {
 
-/// What a scene says that cannot be: empty for a sound one. Pointers count entries as formatScene() writes them. A scene
-/// without problems whose fields are in range can be saved and read back.
+/// What a scene says that cannot be: empty for a sound one. Pointers count entries as formatScene()
+/// writes them. A scene without problems whose fields are in range can be saved and read back.
 [[nodiscard]] std::vector<Error> sceneProblems(const Scene& scene);
 
 /// A material may blend at most this many leaves through `mix`, counted with repetition.

@@ -8,8 +8,9 @@ namespace glint {
 
 namespace {
 
-/// Copies things from one scene into another, each once, together with what they refer to. A material, texture or group
-/// that is already there under the same name with the same content is used, not copied.
+/// Copies things from one scene into another, each once, together with what they refer to. A
+/// material, texture or group that is already there under the same name with the same content is
+/// used, not copied.
 class Transplant {
   public:
     Transplant(const Scene& from, Scene to) : from_(from), to_(std::move(to)) {
@@ -50,10 +51,15 @@ class Transplant {
     MaterialId material(MaterialId id) {
         if (!id || materials_.contains(id.value)) return id ? materials_[id.value] : id;
         Material copy = from_.materials.at(id);
-        std::visit([&](auto& value) {
-            forEachField(value, [&](std::string_view, const FieldMeta&, auto& member) { follow(member); });
-        }, copy.value);
-        return materials_[id.value] = place(to_.materials, materialNames_, std::move(copy), freeMaterialName);
+        std::visit(
+            [&](auto& value) {
+                forEachField(value, [&](std::string_view, const FieldMeta&, auto& member) {
+                    follow(member);
+                });
+            },
+            copy.value);
+        return materials_[id.value] =
+                   place(to_.materials, materialNames_, std::move(copy), freeMaterialName);
     }
 
     GroupId group(GroupId id) {
@@ -65,20 +71,24 @@ class Transplant {
 
     TextureId texture(TextureId id) {
         if (!id || textures_.contains(id.value)) return id ? textures_[id.value] : id;
-        return textures_[id.value] = place(to_.textures, textureNames_, from_.textures.at(id), [](const Scene& scene, std::string name) {
-            while (hasTexture(scene, name)) name += " 2";
-            return name;
-        });
+        return textures_[id.value] = place(to_.textures, textureNames_, from_.textures.at(id),
+                                           [](const Scene& scene, std::string name) {
+                                               while (hasTexture(scene, name)) name += " 2";
+                                               return name;
+                                           });
     }
 
     static bool hasTexture(const Scene& scene, const std::string& name) {
         bool found = false;
-        scene.textures.forEach([&](TextureId, const Texture& texture) { found = found || texture.name == name; });
+        scene.textures.forEach(
+            [&](TextureId, const Texture& texture) { found = found || texture.name == name; });
         return found;
     }
 
     template <class T>
-    void follow(Textured<T>& field) { field.texture = texture(field.texture); }
+    void follow(Textured<T>& field) {
+        field.texture = texture(field.texture);
+    }
     void follow(MixPart& part) { part.material = material(part.material); }
     template <class T>
     void follow(T&) {}

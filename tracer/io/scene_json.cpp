@@ -25,11 +25,11 @@ void locate(std::vector<Error>& errors, std::string_view text, const std::string
         errors[i].file = file;
         errors[i].line = places[i].line;
         errors[i].column = places[i].column;
-        errors[i].pointer = shortened(errors[i].pointer, 200);
+        errors[i].pointer = shortened(errors[i].pointer, kPointerShown);
     }
 }
 
-/// Reads all there is; without problems of its own entries only if `errors` stays empty.
+/// Reads all there is, and checks it as a whole.
 SceneReading readChecked(const Json& root) {
     SceneReading out = readScene(root);
     const std::vector<Error> problems = sceneProblems(out.scene);
@@ -40,7 +40,11 @@ SceneReading readChecked(const Json& root) {
 Result<Json> parseSceneJson(std::string_view text, const std::string& file) {
     auto json = parseJson(text, file);
     if (json && !(json.value().is_object() && json.value().contains("glint")))
-        return Error{.message = "is not a scene: it has no \"glint\"", .file = file, .line = 1, .column = 1, .remedy = "begin it with {\"glint\": 1"};
+        return Error{.message = "is not a scene: it has no \"glint\"",
+                     .file = file,
+                     .line = 1,
+                     .column = 1,
+                     .remedy = "begin it with {\"glint\": 1"};
     return json;
 }
 
@@ -58,7 +62,8 @@ Result<T> guarded(const std::string& file, Run&& run) {
 Json* element(Json& list, const std::string& token) {
     std::size_t index = 0;
     const auto parsed = std::from_chars(token.data(), token.data() + token.size(), index);
-    if (parsed.ec == std::errc{} && parsed.ptr == token.data() + token.size()) return index < list.size() ? &list[index] : nullptr;
+    if (parsed.ec == std::errc{} && parsed.ptr == token.data() + token.size())
+        return index < list.size() ? &list[index] : nullptr;
     const auto found = std::find_if(list.begin(), list.end(), [&](const Json& entry) {
         return entry.is_object() && entry.contains("name") && entry["name"] == token;
     });
@@ -68,7 +73,8 @@ Json* element(Json& list, const std::string& token) {
 std::string nearestElement(const Json& list, const std::string& token) {
     std::vector<std::string_view> names;
     for (const Json& entry : list)
-        if (entry.is_object() && entry.contains("name")) names.push_back(entry["name"].get_ref<const std::string&>());
+        if (entry.is_object() && entry.contains("name"))
+            names.push_back(entry["name"].get_ref<const std::string&>());
     const std::string nearest = nearestName(token, names);
     return nearest.empty() ? "use an index or a name" : "did you mean " + inQuotes(nearest) + "?";
 }
@@ -76,10 +82,13 @@ std::string nearestElement(const Json& list, const std::string& token) {
 /// The place of a pointer in a scene's JSON, made where it is a field that is not there yet.
 Result<Json*> resolve(Json& root, std::string_view pointer) {
     const auto wrong = [&](std::string message, std::string remedy) {
-        return Error{.message = std::move(message), .pointer = shortened(pointer, 200), .remedy = std::move(remedy)};
+        return Error{.message = std::move(message),
+                     .pointer = shortened(pointer, kPointerShown),
+                     .remedy = std::move(remedy)};
     };
     const std::vector<std::string> tokens = pointerTokens(pointer);
-    if (tokens.empty() || pointer.front() != '/') return wrong("is not a pointer to a value", "write it as /render/spp");
+    if (tokens.empty() || pointer.front() != '/')
+        return wrong("is not a pointer to a value", "write it as /render/spp");
     Json* at = &root;
     for (const std::string& token : tokens) {
         if (at->is_array()) {
@@ -89,7 +98,8 @@ Result<Json*> resolve(Json& root, std::string_view pointer) {
         } else if (at->is_object() || at->is_null()) {
             at = &(*at)[token];
         } else {
-            return wrong("the value before " + inQuotes(token) + " has no fields", "shorten the pointer");
+            return wrong("the value before " + inQuotes(token) + " has no fields",
+                         "shorten the pointer");
         }
     }
     return at;
@@ -136,14 +146,19 @@ Result<PartialScene> loadSceneInPart(const std::filesystem::path& path) {
     });
 }
 
-std::string formatScene(const Scene& scene) { return formatJson(sceneJson(scene, Defaults::LeftOut)); }
+std::string formatScene(const Scene& scene) {
+    return formatJson(sceneJson(scene, Defaults::LeftOut));
+}
 
-Status saveScene(const Scene& scene, const std::filesystem::path& path) { return writeWhole(path, formatScene(scene)); }
+Status saveScene(const Scene& scene, const std::filesystem::path& path) {
+    return writeWhole(path, formatScene(scene));
+}
 
 std::string sceneHash(const Scene& scene) {
     // FNV-1a, 64 bits.
     std::uint64_t hash = 0xcbf29ce484222325U;
-    for (const char c : formatScene(scene)) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    for (const char c : formatScene(scene))
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
     std::array<char, 17> digits{};
     std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
     return digits.data();
@@ -157,7 +172,9 @@ Result<Scene> withSetting(const Scene& scene, std::string_view pointer, std::str
         *place.value() = settingValue(value);
         SceneReading reading = readChecked(root);
         if (reading.errors.empty()) return std::move(reading.scene);
-        return reading.errors.front();
+        Error error = reading.errors.front();
+        error.pointer = shortened(error.pointer, kPointerShown);
+        return error;
     });
 }
 

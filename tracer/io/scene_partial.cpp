@@ -24,14 +24,16 @@ Faults faultsOf(const std::vector<Error>& errors) {
         std::size_t index = 0;
         if (tokens.size() < 2) continue;
         const std::string& token = tokens[1];
-        if (std::from_chars(token.data(), token.data() + token.size(), index).ec == std::errc{}) out.entries[tokens[0]].insert(index);
+        if (std::from_chars(token.data(), token.data() + token.size(), index).ec == std::errc{})
+            out.entries[tokens[0]].insert(index);
     }
     return out;
 }
 
 class Remover {
   public:
-    Remover(Scene& scene, std::vector<Error>& errors) : scene_(scene), errors_(errors), faults_(faultsOf(errors)) {}
+    Remover(Scene& scene, std::vector<Error>& errors)
+        : scene_(scene), errors_(errors), faults_(faultsOf(errors)) {}
 
     void run() {
         if (faults_.sections.contains("camera")) scene_.camera = {};
@@ -71,7 +73,8 @@ class Remover {
             scene_.activeCamera = {};
             say("/camera", "the scene's camera was left out", "the first view is a standard one");
         }
-        mend(scene_.groups, "groups", [&](Group& group, const std::string& at) { mendParent(group, at); });
+        mend(scene_.groups, "groups",
+             [&](Group& group, const std::string& at) { mendParent(group, at); });
         mend(scene_.materials, "materials", [&](Material& material, const std::string& at) {
             std::visit([&](auto& value) { mendFields(value, at); }, material.value);
         });
@@ -79,7 +82,8 @@ class Remover {
             mendParent(object, at);
             if (!object.material || scene_.materials.find(object.material)) return;
             object.material = {};
-            say(at + "/material", inQuotes(object.name) + " lost its material, which was left out", "give it another");
+            say(at + "/material", inQuotes(object.name) + " lost its material, which was left out",
+                "give it another");
         });
     }
 
@@ -98,7 +102,8 @@ class Remover {
     void mendParent(T& value, const std::string& at) {
         if (!value.parent || scene_.groups.find(value.parent)) return;
         value.parent = {};
-        say(at + "/parent", inQuotes(value.name) + " lost its group, which was left out", "check its place");
+        say(at + "/parent", inQuotes(value.name) + " lost its group, which was left out",
+            "check its place");
     }
 
     template <class T>
@@ -125,7 +130,9 @@ class Remover {
     void mendField(T&, const std::string&) {}
 
     void say(std::string pointer, std::string message, std::string remedy) {
-        errors_.push_back({.message = std::move(message), .pointer = std::move(pointer), .remedy = std::move(remedy)});
+        errors_.push_back({.message = std::move(message),
+                           .pointer = std::move(pointer),
+                           .remedy = std::move(remedy)});
     }
 
     Scene& scene_;

@@ -10,9 +10,9 @@ constexpr FieldMeta kRequired{.required = true};
 constexpr FieldMeta kOptional{};
 
 const std::vector<std::string_view>& sectionNames() {
-    static const std::vector<std::string_view> names{"glint",       "camera",   "cameras",   "views",  "film",
-                                                     "display",     "render",   "environment", "textures", "materials",
-                                                     "groups",      "objects",  "lights",    "editor"};
+    static const std::vector<std::string_view> names{
+        "glint",       "camera",   "cameras",   "views",  "film",    "display", "render",
+        "environment", "textures", "materials", "groups", "objects", "lights",  "editor"};
     return names;
 }
 
@@ -27,7 +27,8 @@ void indexNames(const Json& root, std::string_view section, NameIndex& names, Fi
         if (names.add(text, static_cast<std::uint32_t>(i + 1))) continue;
         const JsonPath top, sectionAt = top.child(section), at = sectionAt.child(i);
         reader.fail(at.child("name"),
-                    "the name " + inQuotes(text) + " is taken by /" + std::string(section) + "/" + std::to_string(names.find(text) - 1),
+                    "the name " + inQuotes(text) + " is taken by /" + std::string(section) + "/" +
+                        std::to_string(names.find(text) - 1),
                     "give each a name of its own");
     }
 }
@@ -53,29 +54,33 @@ class SceneReader {
         readVersion();
         reader_.checkKeys(root_, top_, sectionNames());
         readCamera();
-        readTable("cameras", scene_.cameras, [&](const Json& json, const JsonPath& at, Camera& camera) {
-            reader_.readFields(json, at, camera, {});
-            std::string name;
-            reader_.readMember(json, at, "name", kRequired, name);
-        });
+        readTable("cameras", scene_.cameras,
+                  [&](const Json& json, const JsonPath& at, Camera& camera) {
+                      reader_.readFields(json, at, camera, {});
+                      std::string name;
+                      reader_.readMember(json, at, "name", kRequired, name);
+                  });
         readViews();
         readSection("film", scene_.film);
         readSection("display", scene_.display);
         readSection("render", scene_.render);
         readSection("environment", scene_.environment);
-        readTable("textures", scene_.textures, [&](const Json& json, const JsonPath& at, Texture& texture) {
-            reader_.readFields(json, at, texture, {});
-        });
-        readTable("materials", scene_.materials, [&](const Json& json, const JsonPath& at, Material& material) {
-            reader_.readMember(json, at, "name", kRequired, material.name);
-            reader_.readKind<AllMaterials>(json, at, material.value, {"name"});
-        });
+        readTable("textures", scene_.textures,
+                  [&](const Json& json, const JsonPath& at, Texture& texture) {
+                      reader_.readFields(json, at, texture, {});
+                  });
+        readTable("materials", scene_.materials,
+                  [&](const Json& json, const JsonPath& at, Material& material) {
+                      reader_.readMember(json, at, "name", kRequired, material.name);
+                      reader_.readKind<AllMaterials>(json, at, material.value, {"name"});
+                  });
         readTable("groups", scene_.groups, [&](const Json& json, const JsonPath& at, Group& group) {
             reader_.readFields(json, at, group, {});
         });
-        readTable("objects", scene_.objects, [&](const Json& json, const JsonPath& at, Object& object) {
-            reader_.readFields(json, at, object, {});
-        });
+        readTable("objects", scene_.objects,
+                  [&](const Json& json, const JsonPath& at, Object& object) {
+                      reader_.readFields(json, at, object, {});
+                  });
         readTable("lights", scene_.lights, [&](const Json& json, const JsonPath& at, Light& light) {
             reader_.readMember(json, at, "name", kRequired, light.name);
             reader_.readKind<AllLights>(json, at, light.value, {"name", "visible", "light_group"});
@@ -93,7 +98,9 @@ class SceneReader {
         int version = 1;
         reader_.readMember(root_, top_, "glint", {.min = 1, .required = true}, version);
         if (version > 1)
-            reader_.fail(top_.child("glint"), "the file has version " + std::to_string(version) + " of the format, this program knows 1",
+            reader_.fail(top_.child("glint"),
+                         "the file has version " + std::to_string(version) +
+                             " of the format, this program knows 1",
                          "open it with a newer Glint");
     }
 
@@ -109,9 +116,11 @@ class SceneReader {
         const Json* list = findList("views");
         const JsonPath at = top_.child("views");
         for (std::size_t i = 0; list && i < list->size(); ++i)
-            scene_.views.push_back(entry<Camera>((*list)[i], at.child(i), [&](const Json& json, const JsonPath& where, Camera& view) {
-                reader_.readFields(json, where, view, {});
-            }));
+            scene_.views.push_back(
+                entry<Camera>((*list)[i], at.child(i),
+                              [&](const Json& json, const JsonPath& where, Camera& view) {
+                                  reader_.readFields(json, where, view, {});
+                              }));
     }
 
     void readEditor() {
@@ -127,9 +136,10 @@ class SceneReader {
     void readSection(std::string_view section, T& out) {
         const auto found = root_.find(section);
         if (found == root_.end()) return;
-        out = entry<T>(*found, top_.child(section), [&](const Json& json, const JsonPath& at, T& value) {
-            reader_.readFields(json, at, value, {});
-        });
+        out = entry<T>(*found, top_.child(section),
+                       [&](const Json& json, const JsonPath& at, T& value) {
+                           reader_.readFields(json, at, value, {});
+                       });
     }
 
     template <class T, class IdType, class Read>
@@ -139,7 +149,8 @@ class SceneReader {
         const JsonPath at = top_.child(section);
         std::vector<T> values;
         values.reserve(list->size());
-        for (std::size_t i = 0; i < list->size(); ++i) values.push_back(entry<T>((*list)[i], at.child(i), read));
+        for (std::size_t i = 0; i < list->size(); ++i)
+            values.push_back(entry<T>((*list)[i], at.child(i), read));
         out.addAll(std::move(values));
     }
 
@@ -169,7 +180,9 @@ class SceneReader {
 }  // namespace
 
 SceneReading readScene(const Json& root) {
-    if (!root.is_object()) return {{}, {{.message = "a scene is a JSON object", .remedy = "begin with {\"glint\": 1"}}};
+    if (!root.is_object())
+        return {{},
+                {{.message = "a scene is a JSON object", .remedy = "begin with {\"glint\": 1"}}};
     SceneReading out;
     const SceneNames names = sceneNames(root, out.errors);
     SceneReader reader(root, names);

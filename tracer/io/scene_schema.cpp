@@ -7,11 +7,17 @@ namespace glint {
 namespace {
 
 template <class T>
-concept HasFields = requires { T::fields(); };
+concept HasFields = requires {
+    T::fields();
+};
 
-Json reference(std::string_view definition) { return Json{{"$ref", "#/$defs/" + std::string(definition)}}; }
+Json reference(std::string_view definition) {
+    return Json{{"$ref", "#/$defs/" + std::string(definition)}};
+}
 
-Json nameOf(std::string_view what) { return Json{{"type", "string"}, {"description", "Name of a " + std::string(what)}}; }
+Json nameOf(std::string_view what) {
+    return Json{{"type", "string"}, {"description", "Name of a " + std::string(what)}};
+}
 
 Json numberSchema(const char* type, const FieldMeta& meta) {
     Json out{{"type", type}};
@@ -26,7 +32,9 @@ Json listSchema(Json items, std::size_t least, std::size_t most) {
     return out;
 }
 
-Json vectorSchema(const FieldMeta& meta, std::size_t size) { return listSchema(numberSchema("number", meta), size, size); }
+Json vectorSchema(const FieldMeta& meta, std::size_t size) {
+    return listSchema(numberSchema("number", meta), size, size);
+}
 
 template <class Names>
 Json choiceSchema(const Names& names) {
@@ -47,7 +55,9 @@ Json valueSchema(const std::string&, const FieldMeta& meta) {
 Json valueSchema(const Color&, const FieldMeta& meta) { return vectorSchema(meta, 3); }
 Json valueSchema(const DVec2&, const FieldMeta& meta) { return vectorSchema(meta, 2); }
 Json valueSchema(const DVec3&, const FieldMeta& meta) { return vectorSchema(meta, 3); }
-Json valueSchema(const std::array<double, 12>&, const FieldMeta& meta) { return vectorSchema(meta, 12); }
+Json valueSchema(const std::array<double, 12>&, const FieldMeta& meta) {
+    return vectorSchema(meta, 12);
+}
 Json valueSchema(const std::vector<Color>&, const FieldMeta& meta) {
     return Json{{"type", "array"}, {"items", vectorSchema(meta, 3)}};
 }
@@ -57,15 +67,15 @@ Json valueSchema(const MixPart&, const FieldMeta&) { return nameOf("material, or
 Json valueSchema(const Shape&, const FieldMeta&) { return reference("shape"); }
 Json valueSchema(const Transform&, const FieldMeta&) { return reference("transform"); }
 template <class E>
-    requires std::is_enum_v<E>
-Json valueSchema(E value, const FieldMeta&) {
+requires std::is_enum_v<E> Json valueSchema(E value, const FieldMeta&) {
     return choiceSchema(enumNames(value));
 }
 template <HasFields T>
 Json valueSchema(const T& value, const FieldMeta&);
 template <class T>
 Json valueSchema(const Textured<T>& textured, const FieldMeta& meta) {
-    return Json{{"anyOf", Json::array({valueSchema(textured.value, meta), reference("texture_name")})}};
+    return Json{
+        {"anyOf", Json::array({valueSchema(textured.value, meta), reference("texture_name")})}};
 }
 template <class T>
 Json valueSchema(const std::optional<T>&, const FieldMeta& meta) {
@@ -74,7 +84,9 @@ Json valueSchema(const std::optional<T>&, const FieldMeta& meta) {
 
 // addDefault(): nothing for what has no value of its own in a file.
 template <class T>
-concept Plain = requires(const T& value) { toJson(value); };
+concept Plain = requires(const T& value) {
+    toJson(value);
+};
 template <Plain T>
 void addDefault(Json& schema, const T& value) {
     schema["default"] = toJson(value);
@@ -106,7 +118,10 @@ void addFields(Json& schema, const T& defaults) {
 }
 
 Json emptyObject() {
-    return Json{{"type", "object"}, {"properties", Json::object()}, {"required", Json::array()}, {"additionalProperties", false}};
+    return Json{{"type", "object"},
+                {"properties", Json::object()},
+                {"required", Json::array()},
+                {"additionalProperties", false}};
 }
 
 template <class T>
@@ -137,21 +152,27 @@ Json kindsSchema(More&& more) {
 }
 
 void addName(Json& schema) {
-    schema["properties"]["name"] = Json{{"type", "string"}, {"minLength", 1}, {"description", "Unique name"}};
+    schema["properties"]["name"] =
+        Json{{"type", "string"}, {"minLength", 1}, {"description", "Unique name"}};
     schema["required"].push_back("name");
 }
 
 Json lightSchema() {
     return kindsSchema<AllLights>([](Json& kind) {
         addName(kind);
-        kind["properties"]["visible"] = Json{{"type", "boolean"}, {"description", "Part of the picture"}, {"default", true}};
-        kind["properties"]["light_group"] = Json{{"type", "string"}, {"description", "Group of lights it belongs to"}, {"default", ""}};
+        kind["properties"]["visible"] =
+            Json{{"type", "boolean"}, {"description", "Part of the picture"}, {"default", true}};
+        kind["properties"]["light_group"] = Json{
+            {"type", "string"}, {"description", "Group of lights it belongs to"}, {"default", ""}};
     });
 }
 
 Json definitions() {
     Json out = Json::object();
-    out["texture_name"] = Json{{"type", "object"}, {"properties", {{"texture", nameOf("texture")}}}, {"required", {"texture"}}, {"additionalProperties", false}};
+    out["texture_name"] = Json{{"type", "object"},
+                               {"properties", {{"texture", nameOf("texture")}}},
+                               {"required", {"texture"}},
+                               {"additionalProperties", false}};
     out["transform"] = objectSchema<Transform>();
     out["shape"] = kindsSchema<AllShapes>([](Json&) {});
     out["camera"] = objectSchema<Camera>();
@@ -165,7 +186,9 @@ Json definitions() {
     return out;
 }
 
-Json listOf(const char* definition) { return Json{{"type", "array"}, {"items", reference(definition)}}; }
+Json listOf(const char* definition) {
+    return Json{{"type", "array"}, {"items", reference(definition)}};
+}
 
 }  // namespace
 
@@ -184,7 +207,8 @@ std::string sceneSchema() {
     properties["groups"] = listOf("group");
     properties["objects"] = listOf("object");
     properties["lights"] = listOf("light");
-    properties["editor"] = Json{{"type", "object"}, {"description", "Layout of the editor's window and the like"}};
+    properties["editor"] =
+        Json{{"type", "object"}, {"description", "Layout of the editor's window and the like"}};
 
     Json schema = Json::object();
     schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";

@@ -8,7 +8,8 @@ namespace {
 
 class SceneWriter {
   public:
-    SceneWriter(const Scene& scene, Defaults defaults) : scene_(scene), all_(defaults == Defaults::Written) {}
+    SceneWriter(const Scene& scene, Defaults defaults)
+        : scene_(scene), all_(defaults == Defaults::Written) {}
 
     Json run() {
         Json out = Json::object();
@@ -17,16 +18,20 @@ class SceneWriter {
             out["camera"] = scene_.cameras.at(scene_.activeCamera).name;
         else
             addSection(out, "camera", scene_.camera);
-        addTable(out, "cameras", scene_.cameras, [&](const Camera& camera) { return fields(camera); });
+        addTable(out, "cameras", scene_.cameras,
+                 [&](const Camera& camera) { return fields(camera); });
         for (const Camera& view : scene_.views) out["views"].push_back(fields(view));
         addSection(out, "film", scene_.film);
         addSection(out, "display", scene_.display);
         addSection(out, "render", scene_.render);
         addSection(out, "environment", scene_.environment);
-        addTable(out, "textures", scene_.textures, [&](const Texture& texture) { return fields(texture); });
-        addTable(out, "materials", scene_.materials, [&](const Material& material) { return value(material); });
+        addTable(out, "textures", scene_.textures,
+                 [&](const Texture& texture) { return fields(texture); });
+        addTable(out, "materials", scene_.materials,
+                 [&](const Material& material) { return value(material); });
         addTable(out, "groups", scene_.groups, [&](const Group& group) { return fields(group); });
-        addTable(out, "objects", scene_.objects, [&](const Object& object) { return fields(object); });
+        addTable(out, "objects", scene_.objects,
+                 [&](const Object& object) { return fields(object); });
         addTable(out, "lights", scene_.lights, [&](const Light& light) { return value(light); });
         addEditor(out);
         return out;
@@ -61,13 +66,17 @@ class SceneWriter {
     template <class T>
     void addFields(Json& out, const T& value) {
         [[maybe_unused]] static const T defaults{};
-        std::apply([&](const auto&... field) {
-            (addField(out, field.name, field.meta, value.*field.member, defaults.*field.member), ...);
-        }, T::fields());
+        std::apply(
+            [&](const auto&... field) {
+                (addField(out, field.name, field.meta, value.*field.member, defaults.*field.member),
+                 ...);
+            },
+            T::fields());
     }
 
     template <class Member>
-    void addField(Json& out, std::string_view name, const FieldMeta& meta, const Member& member, const Member& byDefault) {
+    void addField(Json& out, std::string_view name, const FieldMeta& meta, const Member& member,
+                  const Member& byDefault) {
         if (!all_ && !meta.required && member == byDefault) return;
         Json json = value(member);
         if (!json.is_null()) out[std::string(name)] = std::move(json);
@@ -91,7 +100,9 @@ class SceneWriter {
         return Json{{"texture", nameIn(scene_.textures, textured.texture)}};
     }
     /// A part that was never chosen lets light through.
-    Json value(const MixPart& part) { return part.material ? nameIn(scene_.materials, part.material) : Json("clear"); }
+    Json value(const MixPart& part) {
+        return part.material ? nameIn(scene_.materials, part.material) : Json("clear");
+    }
     Json value(const Sky& sky) { return fields(sky); }
     /// The matrix replaces the other three, and a file must not hold both.
     Json value(const Transform& transform) {

@@ -65,6 +65,11 @@ class GlossyBsdf {
         const ReflectionPair p(wo, wi);
         return p.valid ? evalPair(p) : Rgb(0.0f);
     }
+    /// The part of eval() that is the base's.
+    [[nodiscard]] Rgb evalBase(const Vec3& wo, const Vec3& wi) const {
+        const ReflectionPair p(wo, wi);
+        return p.valid ? color_ * base(p) : Rgb(0.0f);
+    }
     [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float) const {
         const ReflectionPair p(wo, wi);
         return p.valid ? pdfPair(p) : 0.0f;
@@ -86,8 +91,10 @@ class GlossyBsdf {
     [[nodiscard]] Rgb evalPair(const ReflectionPair& p) const {
         const double coat =
             ggx_.d(p.h) * ggx_.visibility(p.o, p.i) * fresnelTerm(p.cosHalf, eta_).reflectance;
-        const double base = passing_(p.o.z) * passing_(p.i.z) / (kPi * passing_.average());
-        return color_ * static_cast<float>(base) + Rgb(static_cast<float>(coat));
+        return color_ * base(p) + Rgb(static_cast<float>(coat));
+    }
+    [[nodiscard]] float base(const ReflectionPair& p) const {
+        return static_cast<float>(passing_(p.o.z) * passing_(p.i.z) / (kPi * passing_.average()));
     }
     [[nodiscard]] float pdfPair(const ReflectionPair& p) const {
         const double share = coatShare(p.o.z);

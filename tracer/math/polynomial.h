@@ -1,5 +1,5 @@
-// Real roots of a polynomial within an interval, each bracketed by the critical points and polished by Newton.
-// Source: Yuksel, "High-Performance Polynomial Root Finding for Graphics", HPG 2022.
+// Real roots of a polynomial within an interval, each bracketed by the critical points and polished
+// by Newton. Source: Yuksel, "High-Performance Polynomial Root Finding for Graphics", HPG 2022.
 #pragma once
 
 #include <array>
@@ -33,10 +33,12 @@ template <int Degree>
     return out;
 }
 
-/// The place in [left, right] where `f` changes sign, to within `resolution`; `negativeLeft` says from which. Newton from the
-/// middle, held in the bracket by bisection; a slope that is no number only costs a bisection.
+/// The place in [left, right] where `f` changes sign, to within `resolution`; `negativeLeft` says
+/// from which. Newton from the middle, held in the bracket by bisection; a slope that is no number
+/// only costs a bisection.
 template <class Function>
-[[nodiscard]] double refineRoot(const Function& f, double left, double right, bool negativeLeft, double resolution) {
+[[nodiscard]] double refineRoot(const Function& f, double left, double right, bool negativeLeft,
+                                double resolution) {
     double x = 0.5 * (left + right);
     while (right - left > resolution) {
         const ValueAndSlope at = f(x);
@@ -50,12 +52,15 @@ template <class Function>
     return x;
 }
 
-/// All places in [lo, hi] where `f` changes sign. `critical`: those where its direction may change, so that between two of
-/// them there is one root at most. f may be any function that has the roots of a polynomial of that degree or some of them,
-/// in a form that loses fewer digits than the coefficients do.
+/// All places in [lo, hi] where `f` changes sign. `critical`: those where its direction may change,
+/// so that between two of them there is one root at most. f may be any function that has the roots
+/// of a polynomial of that degree or some of them, in a form that loses fewer digits than the
+/// coefficients do.
 template <int Degree, class Function>
-[[nodiscard]] Roots<Degree> signChanges(const Roots<Degree - 1>& critical, double lo, double hi, const Function& f) {
-    const double resolution = 0x1p-53 * (hi - lo);  // Finer steps drown in the rounding of places within the interval.
+[[nodiscard]] Roots<Degree> signChanges(const Roots<Degree - 1>& critical, double lo, double hi,
+                                        const Function& f) {
+    const double resolution =
+        0x1p-53 * (hi - lo);  // Finer steps drown in the rounding of places within the interval.
     Roots<Degree> roots;
     double a = lo;
     bool negativeA = f(lo).value < 0;
@@ -70,14 +75,16 @@ template <int Degree, class Function>
 
 /// All roots in [lo, hi] at which the polynomial changes sign.
 template <int Degree>
-[[nodiscard]] Roots<Degree> findRoots(const std::array<double, Degree + 1>& c, double lo, double hi) {
+[[nodiscard]] Roots<Degree> findRoots(const std::array<double, Degree + 1>& c, double lo,
+                                      double hi) {
     if constexpr (Degree == 1) {
         Roots<1> root;
         if (const double x = -c[0] / c[1]; x >= lo && x <= hi) root.add(x);
         return root;
     } else {
         std::array<double, Degree> derivative{};
-        for (std::size_t i = 0; i < Degree; ++i) derivative[i] = static_cast<double>(i + 1) * c[i + 1];
+        for (std::size_t i = 0; i < Degree; ++i)
+            derivative[i] = static_cast<double>(i + 1) * c[i + 1];
         return signChanges<Degree>(findRoots<Degree - 1>(derivative, lo, hi), lo, hi,
                                    [&](double x) { return evaluatePolynomial<Degree>(c, x); });
     }

@@ -4,6 +4,7 @@
 // distance inside, recursion to a depth, the environment where a ray leaves the scene. Start reading at trace().
 #pragma once
 
+#include "tracer/render/layers.h"
 #include "tracer/render/shadow.h"
 
 namespace glint {
@@ -48,6 +49,8 @@ class ClassicTracer {
             on.media.cross(point.shape);
             return share * trace(on);
         }
+        if constexpr (has(F, Feature::Layers))
+            if (branch.depth == 0) describeSurface(scene_, point, *state_.layers);
         Rgb sum = emission(point);
         if (branch.depth < scene_.settings.maxDepth) {
             const CompiledMaterial& material = scene_.materials[point.instance(scene_).material];

@@ -38,15 +38,7 @@ class Film {
     void clear() { pixels_.assign(pixels_.size(), {}); }
 
     /// Means of all pixels.
-    [[nodiscard]] Image image() const {
-        Image out{width_, height_, {}};
-        out.rgb.reserve(pixels_.size() * 3);
-        for (const FilmPixel& pixel : pixels_) {
-            const Rgb mean = pixel.mean();
-            out.rgb.insert(out.rgb.end(), {mean.x, mean.y, mean.z});
-        }
-        return out;
-    }
+    [[nodiscard]] Image image() const;
 
   private:
     [[nodiscard]] std::size_t index(int x, int y) const {
@@ -55,5 +47,20 @@ class Film {
     int width_ = 0, height_ = 0;
     std::vector<FilmPixel> pixels_;
 };
+
+/// Root mean square over a tile's pixels of the standard error of their luminance, from the two halves: (A - B) / 2. 0 where no
+/// pixel has two samples.
+[[nodiscard]] double tileError(const Film& film, const PixelRect& tile);
+
+/// The picture's error: root mean square over its pixels of the standard error of their luminance, over the mean luminance of
+/// the picture. Infinite where no pixel has two samples; 0 for a black picture. With thousands of pixels its own error is
+/// small, so it needs no bound.
+[[nodiscard]] double pictureError(const Film& film, const PixelRect& rect);
+
+/// Whether a picture with that error and so many samples a pixel meets the stop rule `percent` (0: none). A few samples alone
+/// may by chance agree, and miss what is rare: fewer than 16 never do.
+[[nodiscard]] inline bool meetsErrorRule(double error, int samples, double percent) {
+    return percent > 0 && samples >= 16 && 100 * error <= percent;
+}
 
 }  // namespace glint

@@ -20,12 +20,15 @@ struct CancelToken {
     [[nodiscard]] bool cancelled() const { return epoch && epoch->load(std::memory_order_relaxed) != begun; }
 };
 
+struct LayerSample;
+
 /// What one worker carries from sample to sample.
 struct KernelState {
     const RenderScene& scene;
     CancelToken cancel;
     RayCounts rays;
     bool cancelled = false;  ///< the last sample was given up: throw its value away
+    LayerSample* layers = nullptr;  ///< filled by kernels with Feature::Layers
 
     /// To be asked at every path vertex.
     bool stop() {
@@ -46,8 +49,8 @@ struct Kernel {
 
 /// All kernels that are built.
 [[nodiscard]] std::span<const Kernel> allKernels();
-/// The smallest one that covers the scene.
-[[nodiscard]] const Kernel& chooseKernel(const RenderScene& scene);
+/// The smallest one that covers the scene, and Feature::Layers if asked for.
+[[nodiscard]] const Kernel& chooseKernel(const RenderScene& scene, Features wanted = 0);
 
 /// Block numbers of the sampler. A decision always uses the same block, whatever else a kernel skips, so that every kernel
 /// gives the same bits.

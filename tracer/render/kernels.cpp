@@ -27,12 +27,15 @@ constexpr Features bits(auto... features) { return (static_cast<Features>(featur
 constexpr Features kDiffuse = bits(Feature::Smooth, Feature::DeltaLights, Feature::AreaLights, Feature::Sky, Feature::SampledSky);
 constexpr Features kMirrors = kDiffuse | bits(Feature::Delta);
 constexpr Features kGlass = kMirrors | bits(Feature::Media);
+constexpr Features kLayers = kAllFeatures | bits(Feature::Layers);
 
 constexpr std::array kKernels = {
     Kernel{"path: smooth", Integrator::Path, kDiffuse, runKernel<PathTracer<kDiffuse>, kDiffuse>},
     Kernel{"path: mirrors", Integrator::Path, kMirrors, runKernel<PathTracer<kMirrors>, kMirrors>},
     Kernel{"path: glass", Integrator::Path, kGlass, runKernel<PathTracer<kGlass>, kGlass>},
     Kernel{"path: all", Integrator::Path, kAllFeatures, runKernel<PathTracer<kAllFeatures>, kAllFeatures>},
+    Kernel{"path: layers", Integrator::Path, kLayers, runKernel<PathTracer<kLayers>, kLayers>},
+    Kernel{"classic: layers", Integrator::Classic, kLayers, runKernel<ClassicTracer<kLayers>, kLayers>},
     Kernel{"classic: all", Integrator::Classic, kAllFeatures, runKernel<ClassicTracer<kAllFeatures>, kAllFeatures>},
 };
 
@@ -40,10 +43,10 @@ constexpr std::array kKernels = {
 
 std::span<const Kernel> allKernels() { return kKernels; }
 
-const Kernel& chooseKernel(const RenderScene& scene) {
+const Kernel& chooseKernel(const RenderScene& scene, Features wanted) {
     const Kernel* best = nullptr;
     for (const Kernel& kernel : kKernels)
-        if (kernel.integrator == scene.settings.integrator && (scene.features & ~kernel.features) == 0 &&
+        if (kernel.integrator == scene.settings.integrator && ((scene.features | wanted) & ~kernel.features) == 0 &&
             (!best || std::popcount(kernel.features) < std::popcount(best->features)))
             best = &kernel;
     GLINT_CHECK(best != nullptr);

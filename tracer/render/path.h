@@ -3,6 +3,7 @@
 // Start reading at radiance(). Instantiated in kernels.cpp for sets of features; what a set lacks is not compiled.
 #pragma once
 
+#include "tracer/render/layers.h"
 #include "tracer/render/shadow.h"
 
 namespace glint {
@@ -14,7 +15,13 @@ struct BalanceHeuristic {
     static double bsdfWeight(double bsdf, double light) { return bsdf / (light + bsdf); }
 };
 
-template <Features F, class Heuristic = BalanceHeuristic>
+/// How much a path may cost: changes noise and time, never the mean. Tests put others in its place.
+struct UsualEffort {
+    static constexpr bool kSplits = true;  ///< both ways are followed at the first smooth dielectric, not one by chance
+    static constexpr float kDim = 0.25f;   ///< a path that carries less than this is left to Russian roulette
+};
+
+template <Features F, class Heuristic = BalanceHeuristic, class Effort = UsualEffort>
 class PathTracer {
   public:
     PathTracer(KernelState& state, const Sampler& sampler) : state_(state), scene_(state.scene), sampler_(sampler) {}
@@ -50,6 +57,8 @@ class PathTracer {
         bool scattered = false;   ///< a smooth part has turned it
         bool straightFromCamera = true;
         bool maySplit = true;
+        LobeShares shares{};      ///< of the lobes by which light left the first surface (layers only)
+        int bounces = 0;          ///< turns so far: interactions that did not let the path straight on (layers only)
     };
 
     static constexpr bool kSamplesLights = has(F, Feature::DeltaLights) || has(F, Feature::AreaLights) || has(F, Feature::SampledSky);
@@ -57,7 +66,7 @@ class PathTracer {
     static constexpr std::size_t kAllLights = 4;
     /// Hidden boundaries count as no interaction; this many in a row mean a path caught in rounding.
     static constexpr int kMaxHidden = 256;
-    static constexpr float kDim = 0.25f, kLeastChance = 0.05f;
+    static constexpr float kLeastChance = 0.05f;
 
     void follow(Path path) {
         int hidden = 0;
@@ -76,6 +85,8 @@ class PathTracer {
                     continue;
                 }
             }
+            if constexpr (has(F, Feature::Layers))
+                if (path.depth == 0) describeSurface(scene_, point, *state_.layers);
             if constexpr (has(F, Feature::AreaLights)) addEmission(path, point);
             if (path.depth >= scene_.settings.maxDepth || !scatter(path, point)) return;
         }
@@ -97,11 +108,11 @@ class PathTracer {
         if constexpr (has(F, Feature::Sky)) {
             const CompiledEnvironment& environment = scene_.lights.environment;
             if (!environment.isBlack() && !(path.straightFromCamera && !environment.visibleToCamera))
-                sum_ += path.throughput * environment.scale * seenInSky(path, environment);
+                add(path, LightLayer::Environment, path.throughput * environment.scale * seenInSky(path, environment));
             if constexpr (has(F, Feature::SampledSky))
                 for (const std::uint32_t sun : scene_.lights.sunDiscs)
                     if (const CompiledLight& light = scene_.lights.lights[sun]; light.discHolds(path.ray.direction))
-                        sum_ += path.throughput * light.emission * foundWeight(path, sun);
+                        add(path, LightLayer::Environment, path.throughput * light.emission * foundWeight(path, sun));
         }
     }
 
@@ -116,7 +127,18 @@ class PathTracer {
         if (light == ~0u) return;
         const CompiledLight& emitter = scene_.lights.lights[light];
         if (point.outside || emitter.twoSided)
-            sum_ += path.throughput * emitter.emission * foundWeight(path, light);
+            add(path, LightLayer::Emission, path.throughput * emitter.emission * foundWeight(path, light));
+    }
+
+    /// Light found where the path has come to; `seen` is its layer if the camera sees it there itself.
+    void add(const Path& path, LightLayer seen, const Rgb& value) {
+        sum_ += value;
+        if constexpr (has(F, Feature::Layers)) {
+            if (path.bounces == 0)
+                state_.layers->add(seen, value);
+            else
+                state_.layers->add(path.shares, path.bounces == 1, value);
+        }
     }
 
     /// One surface interaction: light from the sources, then the next direction. False: the path ends.
@@ -132,7 +154,7 @@ class PathTracer {
         if constexpr (has(F, Feature::Smooth) && kSamplesLights)
             if (smoothChance > 0 && !scene_.lights.empty()) addDirect(path, point, material, smoothChance);
         if constexpr (has(F, Feature::Delta)) {
-            if (path.maySplit && smoothChance == 0 && branches.count == 2) return takeBoth(path, point, branches);
+            if (Effort::kSplits && path.maySplit && smoothChance == 0 && branches.count == 2) return takeBoth(path, point, branches);
         }
         const SampleBlock u = sampler_.block(sampleBlock(SampleUse::Bsdf, path.depth, path.branch));
         const float choice = u.w * total;
@@ -146,6 +168,8 @@ class PathTracer {
                 path.from = point.position;
                 path.allLights = sampleAll(path);
                 path.scattered = true;
+                if constexpr (has(F, Feature::Layers))
+                    if (path.bounces == 0) path.shares = smoothShares(material, point.wo, s.wi, point.eta);
                 leave(path, point, s.wi, false);
             } else {
                 return false;
@@ -172,6 +196,8 @@ class PathTracer {
     }
 
     void takeBranch(Path& path, const SurfacePoint& point, const DeltaBranch& branch) {
+        if constexpr (has(F, Feature::Layers))
+            if (path.bounces == 0) path.shares = sharesOf(sameSide(point.wo, branch.wi) ? Lobe::Glossy : Lobe::Transmission);
         if (branch.straight)
             leave(path, point, branch.wi, true);
         else {
@@ -185,16 +211,17 @@ class PathTracer {
         if constexpr (has(F, Feature::Media)) path.media = mediaBeyond<F>(scene_, point, path.media, wi);
         path.ray = straight ? Ray{point.position, path.ray.direction, point.shape, wi.z < 0} : point.ray(wi);
         path.straightFromCamera = path.straightFromCamera && straight;
+        if constexpr (has(F, Feature::Layers)) path.bounces += straight ? 0 : 1;
         ++path.depth;
         ++state_.rays.scatter;
     }
 
-    /// Russian roulette: paths that carry less than kDim go on with a chance in proportion to what they carry.
+    /// Russian roulette: paths that carry less than Effort::kDim go on with a chance in proportion to what they carry.
     bool survives(Path& path) {
         const float size = maxComponent(path.throughput) * path.etaScale;
         if (!(size > 0)) return false;
-        if (path.depth < 2 || size >= kDim) return true;
-        const float chance = std::max(size / kDim, kLeastChance);
+        if (path.depth < 2 || size >= Effort::kDim) return true;
+        const float chance = std::max(size / Effort::kDim, kLeastChance);
         const SampleBlock u = sampler_.block(sampleBlock(SampleUse::Light, path.depth - 1, path.branch, 63));
         if (u.x >= chance) return false;
         path.throughput /= chance;
@@ -234,7 +261,10 @@ class PathTracer {
         if (isBlack(share)) return;
         const double density = chosen * s.pdf;
         const double weight = scene_.lights.lights[light].isDelta() ? 1.0 : Heuristic::lightWeight(density, static_cast<double>(f.pdf) * smoothChance);
-        sum_ += path.throughput * f.f * s.radiance * share * static_cast<float>(weight * std::abs(wi.z) / density);
+        const Rgb value = path.throughput * f.f * s.radiance * share * static_cast<float>(weight * std::abs(wi.z) / density);
+        sum_ += value;
+        if constexpr (has(F, Feature::Layers))
+            state_.layers->add(path.bounces == 0 ? smoothShares(material, point.wo, wi, point.eta) : path.shares, path.bounces == 0, value);
     }
 
     KernelState& state_;

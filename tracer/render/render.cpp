@@ -21,7 +21,9 @@ class HeadlessRender {
         : scene_(scene),
           request_(request),
           pool_(request.threads > 0 ? request.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
-          film_(scene.film.width, scene.film.height) {}
+          film_(scene.film.width, scene.film.height) {
+        if (request.layers) layers_.emplace(scene.film.width, scene.film.height);
+    }
 
     Rendering run() {
         flushDenormals();
@@ -35,11 +37,12 @@ class HeadlessRender {
         const int target = scene_.settings.spp;
         int done = 0;
         bool complete = true;
-        while (complete && done < target && !timeIsUp()) {
+        while (complete && done < target && !timeIsUp() && !meetsErrorRule(error_, done, scene_.settings.errorPercent)) {
             const int next = std::min(target, nextCount(done));
-            complete = scheduler.renderPass(scene_, film_, rect, 1, static_cast<std::uint32_t>(next), {&epoch_, 0}, counts_);
+            complete = scheduler.renderPass(scene_, film_, layers_ ? &*layers_ : nullptr, rect, 1, static_cast<std::uint32_t>(next), {&epoch_, 0}, counts_);
             if (complete) done = next;
             everyPixelHasASample_.store(done > 0, std::memory_order_relaxed);
+            error_ = pictureError(film_, rect);
             report(done, target);
         }
         return finish(done, !complete && !timeIsUp());
@@ -76,16 +79,23 @@ class HeadlessRender {
         const double seconds = secondsSince(start_);
         double fraction = static_cast<double>(done) / target;
         if (scene_.settings.timeSeconds > 0) fraction = std::max(fraction, seconds / scene_.settings.timeSeconds);
+        // The error falls with the root of the time, at least.
+        if (error_ > 0 && error_ < kInfinity) fraction = std::max(fraction, std::pow(0.01 * scene_.settings.errorPercent / error_, 2));
         fraction = std::min(fraction, 1.0);
-        request_.progress({done, target, seconds, fraction > 0 ? seconds / fraction - seconds : 0, fraction});
+        request_.progress({done, target, seconds, fraction > 0 ? seconds / fraction - seconds : 0, fraction, error_});
     }
 
     Rendering finish(int done, bool interrupted) {
         Rendering out;
         out.beauty = film_.image();
+        if (layers_) {
+            appendFilm(film_, out.layers);
+            layers_->appendTo(out.layers, scene_.settings.integrator == Integrator::Path);
+        }
         out.spp = done;
         out.threads = pool_.threads();
         out.seconds = secondsSince(start_);
+        out.error = error_;
         out.rays = counts_.rays;
         out.nonfiniteSamples = counts_.nonfinite;
         out.firstNonfinite = counts_.firstNonfinite;
@@ -98,7 +108,9 @@ class HeadlessRender {
     Clock::time_point start_ = Clock::now();
     WorkerPool pool_;
     Film film_;
+    std::optional<LayerFilm> layers_;
     RenderCounts counts_;
+    double error_ = kInfinity;
     std::atomic<std::uint64_t> epoch_{0};  ///< moved by watch(); partner: the workers' CancelToken, relaxed
     std::atomic<bool> everyPixelHasASample_{false};  ///< partner: watch(), relaxed
 };

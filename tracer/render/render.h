@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tracer/io/film_exr.h"
 #include "tracer/io/image_file.h"
 #include "tracer/scene/scene.h"
 
@@ -40,27 +41,31 @@ struct RenderProgress {
     double seconds = 0;
     double remainingSeconds = 0;
     double fraction = 0;  ///< of the work, 0 to 1
+    double error = 0;     ///< of the picture, see pictureError(); infinite at first
 };
 
 struct RenderRequest {
     int threads = 0;                  ///< 0: as many as the machine has processors
     std::optional<PixelRect> crop;    ///< in film pixels
     const std::atomic<bool>* stop = nullptr;  ///< set it to end at the next path vertex; what is there is kept
+    bool layers = false;              ///< fill Rendering::layers; costs time and some 300 bytes a pixel
     std::function<void(const RenderProgress&)> progress;  ///< called a few times a second on the calling thread
 };
 
 struct Rendering {
     Image beauty;  ///< film size, mean of the samples
+    std::vector<ExrChannel> layers;  ///< if asked for: the channels of a multi-layer EXR, see layers.h
     int spp = 0;   ///< samples that every pixel has
     int threads = 0;
     double seconds = 0;
+    double error = 0;  ///< of the picture, see pictureError()
     RayCounts rays;
     std::uint64_t nonfiniteSamples = 0;
     std::optional<SamplePlace> firstNonfinite;
     bool interrupted = false;
 };
 
-/// Renders until the scene's own stop rule (samples, time) is met. Bit-identical for every number of threads.
+/// Renders until the scene's own stop rule (samples, time, error) is met. Bit-identical for every number of threads.
 [[nodiscard]] Rendering render(const std::shared_ptr<const RenderScene>& scene, const RenderRequest& request);
 
 /// The value of one sample of one pixel, as the render computes it.

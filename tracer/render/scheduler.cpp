@@ -29,9 +29,9 @@ void merge(RenderCounts& into, const RenderCounts& from) {
 
 }  // namespace
 
-bool Scheduler::renderPass(const RenderScene& scene, Film& film, const PixelRect& rect, int stride, std::uint32_t samples,
-                           const CancelToken& cancel, RenderCounts& counts) {
-    const KernelFunction kernel = chooseKernel(scene).run;
+bool Scheduler::renderPass(const RenderScene& scene, Film& film, LayerFilm* layers, const PixelRect& rect, int stride,
+                           std::uint32_t samples, const CancelToken& cancel, RenderCounts& counts) {
+    const KernelFunction kernel = chooseKernel(scene, layers ? static_cast<Features>(Feature::Layers) : 0).run;
     // A tile of a coarse pass covers more pixels, so that it holds as many samples as any other.
     const int size = kTile * std::min(stride, 16);
     const int columns = (rect.width + size - 1) / size, rows = (rect.height + size - 1) / size;
@@ -39,7 +39,8 @@ bool Scheduler::renderPass(const RenderScene& scene, Film& film, const PixelRect
 
     const auto renderTile = [&](int worker, int tile) {
         WorkerCounts& own = workers[static_cast<std::size_t>(worker)];
-        KernelState state{scene, cancel, {}, false};
+        LayerSample layerSample;
+        KernelState state{scene, cancel, {}, false, &layerSample};
         const int x0 = rect.x + tile % columns * size, y0 = rect.y + tile / columns * size;
         const int x1 = std::min(x0 + size, rect.x + rect.width), y1 = std::min(y0 + size, rect.y + rect.height);
         const auto firstMultiple = [stride](int v) { return (v + stride - 1) / stride * stride; };
@@ -47,12 +48,14 @@ bool Scheduler::renderPass(const RenderScene& scene, Film& film, const PixelRect
             for (int x = firstMultiple(x0); x < x1; x += stride) {
                 FilmPixel& pixel = film.at(x, y);
                 while (pixel.samples < samples) {
+                    if (layers) layerSample = {};
                     const Rgb value = kernel(state, x, y, pixel.samples);
                     if (state.cancelled) {
                         own.cancelled = true;
                         merge(own.counts, {state.rays, 0, {}});
                         return;
                     }
+                    if (layers) layers->add(x, y, isFinite(value) ? layerSample : LayerSample{});
                     addSample(pixel, value, x, y, own.counts);
                 }
             }

@@ -6,6 +6,7 @@
 
 #include "tracer/render/film.h"
 #include "tracer/render/kernel.h"
+#include "tracer/render/layers.h"
 #include "tracer/render/worker_pool.h"
 
 namespace glint {
@@ -24,9 +25,9 @@ class Scheduler {
     explicit Scheduler(WorkerPool& pool) : pool_(pool) {}
 
     /// Brings every pixel of `rect` whose x and y are multiples of `stride` to at least `samples` samples. Returns false when
-    /// cancelled; finished samples stay, and the same call later goes on where it ended.
-    bool renderPass(const RenderScene& scene, Film& film, const PixelRect& rect, int stride, std::uint32_t samples,
-                    const CancelToken& cancel, RenderCounts& counts);
+    /// cancelled; finished samples stay, and the same call later goes on where it ended. `layers` may be null.
+    bool renderPass(const RenderScene& scene, Film& film, LayerFilm* layers, const PixelRect& rect, int stride,
+                    std::uint32_t samples, const CancelToken& cancel, RenderCounts& counts);
 
   private:
     WorkerPool& pool_;

@@ -116,6 +116,7 @@ struct Session::Impl {
         counts = {};
         seconds = 0;
         spp = 0;
+        error = kInfinity;
         firstPass = true;
         stride = firstStride();
     }
@@ -130,7 +131,8 @@ struct Session::Impl {
 
     [[nodiscard]] bool isConverged() const {
         const double limit = document.scene.render.timeSeconds;
-        return spp >= document.scene.render.spp || (spp > 0 && limit > 0 && seconds >= limit);
+        return spp >= document.scene.render.spp || (spp > 0 && limit > 0 && seconds >= limit) ||
+               meetsErrorRule(error, spp, document.scene.render.errorPercent);
     }
 
     void renderPass(std::uint64_t seen) {
@@ -138,7 +140,7 @@ struct Session::Impl {
         const int target = spp == 0 ? 1 : std::min(document.scene.render.spp, spp + samplesInPass());
         const std::uint64_t before = counts.rays.primary, raysBefore = counts.rays.total();
         const auto start = Clock::now();
-        const bool complete = scheduler.renderPass(*scene, film, {0, 0, view.width, view.height}, stride,
+        const bool complete = scheduler.renderPass(*scene, film, nullptr, {0, 0, view.width, view.height}, stride,
                                                    static_cast<std::uint32_t>(target), cancel, counts);
         const double took = std::chrono::duration<double>(Clock::now() - start).count();
         seconds += took;
@@ -148,7 +150,7 @@ struct Session::Impl {
             if (stride > 1)
                 stride /= 2, shownStride = stride * 2;
             else
-                spp = target, shownStride = 1;
+                spp = target, shownStride = 1, error = pictureError(film, {0, 0, view.width, view.height});
         }
         // A cancelled pass is only shown for the sake of new view settings: its film may be about to go.
         if (complete || undisplayed) show(isConverged() ? SessionState::Converged : SessionState::Rendering);
@@ -190,6 +192,7 @@ struct Session::Impl {
         frame.spp = spp;
         frame.sppTarget = document.scene.render.spp;
         frame.seconds = seconds;
+        frame.error = error;
         frame.raysPerSecond = raysPerSecond;
         frame.nonfiniteSamples = counts.nonfinite;
         frame.kernel = kernelName(*scene);
@@ -223,7 +226,7 @@ struct Session::Impl {
     int stride = 1;            ///< grid of the pass to come; above 1 while the first sample refines
     int shownStride = 1;       ///< grid on which every pixel has a sample
     int spp = 0;
-    double seconds = 0, raysPerSecond = 0;
+    double seconds = 0, raysPerSecond = 0, error = kInfinity;
     double samplesPerSecond = 1e5;  ///< measured; the start is cautious
     std::jthread coordinator;       ///< last: it uses all of the above
 };

@@ -37,6 +37,7 @@ struct SessionFrame {
     int spp = 0;          ///< samples that every pixel has; 0 while the first pass refines
     int sppTarget = 0;
     double seconds = 0;   ///< spent on this picture
+    double error = 0;     ///< of the picture, see pictureError(); infinite before the second sample
     double raysPerSecond = 0;
     std::uint64_t nonfiniteSamples = 0;
     std::string kernel;                 ///< name of the kernel in use

@@ -181,7 +181,7 @@ struct RenderSettings {
             Field{"spp", &RenderSettings::spp, {.min = 1, .max = 16777216, .doc = "Samples a pixel to stop at"}},
             Field{"seed", &RenderSettings::seed, {.min = 0, .max = 2147483647, .doc = "Other seeds give other noise"}},
             Field{"time_seconds", &RenderSettings::timeSeconds, {.min = 0, .unit = "s", .doc = "Time to stop at; 0 is no limit"}},
-            Field{"error_percent", &RenderSettings::errorPercent, {.min = 0, .max = 100, .unit = "%", .doc = "Error to stop at (95 %); 0 is no limit"}},
+            Field{"error_percent", &RenderSettings::errorPercent, {.min = 0, .max = 100, .unit = "%", .doc = "Error of the picture to stop at, as a share of its mean brightness; 0 is no limit"}},
             Field{"clamp", &RenderSettings::clamp, {.min = 0, .doc = "Largest sample value, biased; 0 is off"}},
             Field{"transparent_shadows", &RenderSettings::transparentShadows, {.doc = "classic: glass tints shadows instead of blocking light"}}};
     }

@@ -17,7 +17,8 @@ using AllShapes = TypeList<Sphere, Box, Plane, Quad, Disk, Cylinder, Cone, Torus
 using Shape = AllShapes::Variant;
 
 /// What the tracer intersects: each analytic shape's canonical form.
-using CanonicalShape = std::variant<CanonicalSphere, CanonicalBox, CanonicalPlane, CanonicalQuad, CanonicalDisk,
-                                    CanonicalCylinder, CanonicalCone, CanonicalTorus>;
+using CanonicalShape =
+    std::variant<CanonicalSphere, CanonicalBox, CanonicalPlane, CanonicalQuad, CanonicalDisk,
+                 CanonicalCylinder, CanonicalCone, CanonicalTorus>;
 
 }  // namespace glint

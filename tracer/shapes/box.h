@@ -12,7 +12,8 @@ namespace glint {
 struct CanonicalBox {
     static constexpr bool closed = true, convex = true;
 
-    /// Slabs. A ray within a slab's bounding plane counts as inside that slab, so no 0 * infinity arises.
+    /// Slabs. A ray within a slab's bounding plane counts as inside that slab, so no 0 * infinity
+    /// arises.
     [[nodiscard]] Span span(const DVec3& o, const DVec3& d) const {
         Span out{-kInfinity, kInfinity};
         for (int axis = 0; axis < 3; ++axis) {
@@ -21,7 +22,8 @@ struct CanonicalBox {
                 continue;
             }
             const bool up = d[axis] > 0;
-            const double enter = ((up ? -1.0 : 1.0) - o[axis]) / d[axis], leave = ((up ? 1.0 : -1.0) - o[axis]) / d[axis];
+            const double enter = ((up ? -1.0 : 1.0) - o[axis]) / d[axis],
+                         leave = ((up ? 1.0 : -1.0) - o[axis]) / d[axis];
             if (enter > out.t0) out.t0 = enter, out.face0 = 2 * axis + (up ? 0 : 1);
             if (leave < out.t1) out.t1 = leave, out.face1 = 2 * axis + (up ? 1 : 0);
         }
@@ -48,7 +50,8 @@ struct CanonicalBox {
         n[face / 2] = face % 2 ? 1.0 : -1.0;
         return n;
     }
-    /// Each face has the whole square: u and v along the two axes that follow the face's own, in the order x y z x y.
+    /// Each face has the whole square: u and v along the two axes that follow the face's own, in
+    /// the order x y z x y.
     [[nodiscard]] DVec2 uv(const DVec3& p, int face) const {
         const int axis = face / 2;
         return {(p[(axis + 1) % 3] + 1) / 2, (p[(axis + 2) % 3] + 1) / 2};
@@ -60,7 +63,8 @@ struct CanonicalBox {
         if (visible.count == 0) return {uniformSphere(u), kUniformSpherePdf};
         double pick = u.x * visible.total;
         std::size_t i = 0;
-        while (i + 1 < visible.count && pick >= visible.solidAngle[i]) pick -= visible.solidAngle[i++];
+        while (i + 1 < visible.count && pick >= visible.solidAngle[i])
+            pick -= visible.solidAngle[i++];
         const double share = visible.solidAngle[i];
         if (!(share > 0)) return {};
         DirectionSample s = visible.quad(i).sample({std::clamp(pick / share, 0.0, 1.0), u.y});
@@ -97,7 +101,8 @@ struct CanonicalBox {
         }
         [[nodiscard]] SphericalQuad quad(std::size_t i) const {
             const int a = axis[i], b = (a + 1) % 3, c = (a + 2) % 3;
-            return {-1 - origin[b], -1 - origin[c], 1 - origin[b], 1 - origin[c], std::copysign(1.0, origin[a]) - origin[a]};
+            return {-1 - origin[b], -1 - origin[c], 1 - origin[b], 1 - origin[c],
+                    std::copysign(1.0, origin[a]) - origin[a]};
         }
         DVec3 origin;
         std::array<int, 3> axis{};
@@ -113,7 +118,10 @@ struct Box {
     bool operator==(const Box&) const = default;
     static constexpr std::string_view kind = "box";
     static constexpr auto fields() {
-        return std::tuple{Field{"size", &Box::size, {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Lengths along x, y and z"}}};
+        return std::tuple{Field{
+            "size",
+            &Box::size,
+            {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Lengths along x, y and z"}}};
     }
     [[nodiscard]] DVec3 halfExtents() const { return size / 2.0; }
     [[nodiscard]] CanonicalBox canonical() const { return {}; }

@@ -1,4 +1,5 @@
-// Capped cone about y, apex up. Canonical form: apex (0,1,0), base y = -1 with radius 1. Faces: 0 side, 1 base.
+// Capped cone about y, apex up. Canonical form: apex (0,1,0), base y = -1 with radius 1. Faces: 0
+// side, 1 base.
 #pragma once
 
 #include "tracer/base/reflect.h"
@@ -45,24 +46,29 @@ struct CanonicalCone {
         const double r = std::hypot(p.x, p.z);
         return r > 0 ? DVec3(p.x / r, 0.5, p.z / r) : DVec3(0, 1, 0);
     }
-    /// Side: u once round the y axis with 1/2 at +z, v from the apex down. Base: of the square around it.
+    /// Side: u once round the y axis with 1/2 at +z, v from the apex down. Base: of the square
+    /// around it.
     [[nodiscard]] DVec2 uv(const DVec3& p, int face) const {
         if (face == 0) return {std::atan2(p.x, p.z) / (2 * kPi) + 0.5, (1 - p.y) / 2};
         return {(p.x + 1) / 2, (1 - p.z) / 2};
     }
 
-    /// From outside: uniform over the area in view, of which every point is reached. From inside: all directions.
+    /// From outside: uniform over the area in view, of which every point is reached. From inside:
+    /// all directions.
     [[nodiscard]] DirectionSample sampleDirection(const DVec3& o, const DVec2& u) const {
         const Visible visible(o);
         const double total = visible.sideArea + visible.baseArea;
         if (!(total > 0)) return {uniformSphere(u), kUniformSpherePdf};
         const double pick = u.x * total;
         if (pick < visible.sideArea) {
-            const double phi = std::atan2(o.x, o.z) + visible.halfAngle * (2 * pick / visible.sideArea - 1);
+            const double phi =
+                std::atan2(o.x, o.z) + visible.halfAngle * (2 * pick / visible.sideArea - 1);
             const double r = std::sqrt(u.y), sine = std::sin(phi), cosine = std::cos(phi);
-            return towardsArea(o, {r * sine, 1 - 2 * r, r * cosine}, glm::normalize(DVec3(sine, 0.5, cosine)), 1 / total);
+            return towardsArea(o, {r * sine, 1 - 2 * r, r * cosine},
+                               glm::normalize(DVec3(sine, 0.5, cosine)), 1 / total);
         }
-        const DVec2 q = concentricDisk({std::min((pick - visible.sideArea) / visible.baseArea, 1.0), u.y});
+        const DVec2 q =
+            concentricDisk({std::min((pick - visible.sideArea) / visible.baseArea, 1.0), u.y});
         return towardsArea(o, {q.x, -1, q.y}, {0, -1, 0}, 1 / total);
     }
     [[nodiscard]] double pdfDirection(const DVec3& o, const DVec3& d) const {
@@ -84,7 +90,8 @@ struct CanonicalCone {
     struct Visible {
         explicit Visible(const DVec3& o) {
             const double r = std::hypot(o.x, o.z), aboveApex = o.y - 1;
-            // A line of the mantle at the angle phi from the point's own is in view if r cos(phi) + aboveApex / 2 > 0.
+            // A line of the mantle at the angle phi from the point's own is in view if r cos(phi) +
+            // aboveApex / 2 > 0.
             if (r > -aboveApex / 2)
                 halfAngle = r > aboveApex / 2 ? std::acos(-aboveApex / (2 * r)) : kPi;
             sideArea = halfAngle * kSlantLength;
@@ -94,8 +101,8 @@ struct CanonicalCone {
         double sideArea = 0, baseArea = 0;
     };
 
-    /// The span inside the lower nappe x^2 + z^2 <= ((1-y)/2)^2, y <= 1, solved about the point of the line closest to the
-    /// apex, where the coefficients are small.
+    /// The span inside the lower nappe x^2 + z^2 <= ((1-y)/2)^2, y <= 1, solved about the point of
+    /// the line closest to the apex, where the coefficients are small.
     static Span nappe(const DVec3& o, const DVec3& d) {
         const DVec3 fromApex = o - DVec3(0, 1, 0);
         const double shift = -glm::dot(fromApex, d) / glm::dot(d, d);
@@ -109,7 +116,8 @@ struct CanonicalCone {
             const Span half = b > 0 ? Span{-kInfinity, t} : Span{t, kInfinity};
             return p.y + t * d.y <= 0 ? Span{half.t0 + shift, half.t1 + shift} : Span{};
         }
-        const double ac = a * c, discriminant = std::fma(b, b, -ac) + std::fma(-a, c, ac);  // Kahan: b*b - a*c
+        const double ac = a * c,
+                     discriminant = std::fma(b, b, -ac) + std::fma(-a, c, ac);  // Kahan: b*b - a*c
         if (discriminant < 0 && a > 0) return {};
         const double root = std::sqrt(std::max(0.0, discriminant));
         const double q = -(b + std::copysign(root, b));
@@ -128,8 +136,12 @@ struct Cone {
     static constexpr std::string_view kind = "cone";
     static constexpr auto fields() {
         return std::tuple{
-            Field{"radius", &Cone::radius, {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Radius of the base"}},
-            Field{"height", &Cone::height, {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Length along y"}}};
+            Field{"radius",
+                  &Cone::radius,
+                  {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Radius of the base"}},
+            Field{"height",
+                  &Cone::height,
+                  {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Length along y"}}};
     }
     [[nodiscard]] DVec3 halfExtents() const { return {radius, height / 2, radius}; }
     [[nodiscard]] CanonicalCone canonical() const { return {}; }

@@ -47,7 +47,9 @@ struct Disk {
     bool operator==(const Disk&) const = default;
     static constexpr std::string_view kind = "disk";
     static constexpr auto fields() {
-        return std::tuple{Field{"radius", &Disk::radius, {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Radius"}}};
+        return std::tuple{Field{"radius",
+                                &Disk::radius,
+                                {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Radius"}}};
     }
     [[nodiscard]] DVec3 halfExtents() const { return DVec3(radius); }
     [[nodiscard]] CanonicalDisk canonical() const { return {}; }

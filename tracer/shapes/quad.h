@@ -14,7 +14,8 @@ struct CanonicalQuad {
         if (start == Start::Leaving || start == Start::Entering || d.y == 0) return {};
         const double t = -o.y / d.y;
         if (!(t > 0)) return {};
-        return std::abs(o.x + t * d.x) <= 1 && std::abs(o.z + t * d.z) <= 1 ? Crossing{t} : Crossing{};
+        return std::abs(o.x + t * d.x) <= 1 && std::abs(o.z + t * d.z) <= 1 ? Crossing{t}
+                                                                            : Crossing{};
     }
     [[nodiscard]] bool inside(const DVec3&) const { return false; }
     [[nodiscard]] DVec3 project(const DVec3& p, int) const {
@@ -34,7 +35,9 @@ struct CanonicalQuad {
 
   private:
     /// With y and z exchanged, as SphericalQuad wants it.
-    static SphericalQuad seenFrom(const DVec3& o) { return {-1 - o.x, -1 - o.z, 1 - o.x, 1 - o.z, -o.y}; }
+    static SphericalQuad seenFrom(const DVec3& o) {
+        return {-1 - o.x, -1 - o.z, 1 - o.x, 1 - o.z, -o.y};
+    }
 };
 
 struct Quad {
@@ -43,9 +46,14 @@ struct Quad {
     bool operator==(const Quad&) const = default;
     static constexpr std::string_view kind = "quad";
     static constexpr auto fields() {
-        return std::tuple{Field{"size", &Quad::size, {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Lengths along x and z"}}};
+        return std::tuple{
+            Field{"size",
+                  &Quad::size,
+                  {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Lengths along x and z"}}};
     }
-    [[nodiscard]] DVec3 halfExtents() const { return {size.x / 2, (size.x + size.y) / 4, size.y / 2}; }
+    [[nodiscard]] DVec3 halfExtents() const {
+        return {size.x / 2, (size.x + size.y) / 4, size.y / 2};
+    }
     [[nodiscard]] CanonicalQuad canonical() const { return {}; }
 };
 

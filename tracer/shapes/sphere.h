@@ -11,7 +11,8 @@ namespace glint {
 struct CanonicalSphere {
     static constexpr bool closed = true, convex = true;
 
-    /// Perpendicular discriminant (Haines et al., Ray Tracing Gems, ch. 7). `d` need not have unit length.
+    /// Perpendicular discriminant (Haines et al., Ray Tracing Gems, ch. 7). `d` need not have unit
+    /// length.
     [[nodiscard]] Span span(const DVec3& o, const DVec3& d) const {
         const double a = glm::dot(d, d), b = -glm::dot(o, d), c = glm::dot(o, o) - 1;
         const DVec3 f = o + (b / a) * d;
@@ -30,12 +31,15 @@ struct CanonicalSphere {
     [[nodiscard]] DVec3 normal(const DVec3& p, int) const { return p; }
     /// u: once round the y axis, 1/2 at +z and the seam at -z; v: angle from +y over pi.
     [[nodiscard]] DVec2 uv(const DVec3& p, int) const {
-        return {std::atan2(p.x, p.z) / (2 * kPi) + 0.5, std::acos(std::clamp(p.y, -1.0, 1.0)) / kPi};
+        return {std::atan2(p.x, p.z) / (2 * kPi) + 0.5,
+                std::acos(std::clamp(p.y, -1.0, 1.0)) / kPi};
     }
     [[nodiscard]] DirectionSample sampleDirection(const DVec3& o, const DVec2& u) const {
         return sampleSphereDirection(-o, 1.0, u);
     }
-    [[nodiscard]] double pdfDirection(const DVec3& o, const DVec3&) const { return sphereDirectionPdf(-o, 1.0); }
+    [[nodiscard]] double pdfDirection(const DVec3& o, const DVec3&) const {
+        return sphereDirectionPdf(-o, 1.0);
+    }
 };
 
 struct Sphere {
@@ -44,7 +48,9 @@ struct Sphere {
     bool operator==(const Sphere&) const = default;
     static constexpr std::string_view kind = "sphere";
     static constexpr auto fields() {
-        return std::tuple{Field{"radius", &Sphere::radius, {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Radius"}}};
+        return std::tuple{Field{"radius",
+                                &Sphere::radius,
+                                {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Radius"}}};
     }
     [[nodiscard]] DVec3 halfExtents() const { return DVec3(radius); }
     [[nodiscard]] CanonicalSphere canonical() const { return {}; }

@@ -1,5 +1,6 @@
-// Torus about y. Canonical form: major radius 1, minor radius `ratio`. From ratio 1 on the tube meets itself (a spindle torus);
-// the solid is then the union, and its surface the outer one (the "apple"): what lies within has no surface.
+// Torus about y. Canonical form: major radius 1, minor radius `ratio`. From ratio 1 on the tube
+// meets itself (a spindle torus); the solid is then the union, and its surface the outer one (the
+// "apple"): what lies within has no surface.
 #pragma once
 
 #include "tracer/base/reflect.h"
@@ -9,9 +10,10 @@
 
 namespace glint {
 
-/// Solved by its quartic's critical points and the sign of the depth (r - 1)^2 + y^2 - ratio^2 between them. That form loses no
-/// digits in thin tubes and leaves out the inner sheet of a spindle: the quartic is (r - 1)^2 + y^2 - ratio^2 times
-/// (r + 1)^2 + y^2 - ratio^2, and the second factor vanishes only within.
+/// Solved by its quartic's critical points and the sign of the depth (r - 1)^2 + y^2 - ratio^2
+/// between them. That form loses no digits in thin tubes and leaves out the inner sheet of a
+/// spindle: the quartic is (r - 1)^2 + y^2 - ratio^2 times (r + 1)^2 + y^2 - ratio^2, and the
+/// second factor vanishes only within.
 struct CanonicalTorus {
     static constexpr bool closed = true, convex = false;
     double ratio = 0.25;
@@ -37,13 +39,15 @@ struct CanonicalTorus {
     [[nodiscard]] DVec3 normal(const DVec3& p, int) const { return p - ring(p); }
     /// u: once round the y axis, 1/2 at +z; v: round the tube, 1/2 outermost and rising upwards.
     [[nodiscard]] DVec2 uv(const DVec3& p, int) const {
-        return {std::atan2(p.x, p.z) / (2 * kPi) + 0.5, std::atan2(p.y, std::hypot(p.x, p.z) - 1) / (2 * kPi) + 0.5};
+        return {std::atan2(p.x, p.z) / (2 * kPi) + 0.5,
+                std::atan2(p.y, std::hypot(p.x, p.z) - 1) / (2 * kPi) + 0.5};
     }
 
-    /// Towards a point of the surface, uniform in both angles. Every direction drawn reaches the torus, first at that point or
-    /// at another; its density counts all of them.
+    /// Towards a point of the surface, uniform in both angles. Every direction drawn reaches the
+    /// torus, first at that point or at another; its density counts all of them.
     [[nodiscard]] DirectionSample sampleDirection(const DVec3& o, const DVec2& u) const {
-        const double phi = 2 * kPi * u.x, theta = tubeHalfAngle() * (2 * u.y - 1), r = 1 + ratio * std::cos(theta);
+        const double phi = 2 * kPi * u.x, theta = tubeHalfAngle() * (2 * u.y - 1),
+                     r = 1 + ratio * std::cos(theta);
         const DVec3 to = DVec3(r * std::sin(phi), ratio * std::sin(theta), r * std::cos(phi)) - o;
         const double distance = glm::length(to);
         if (!(distance > 0)) return {};
@@ -66,7 +70,8 @@ struct CanonicalTorus {
         const double r = std::hypot(p.x, p.z);
         return r > 0 ? DVec3(p.x / r, 0, p.z / r) : DVec3(1, 0, 0);
     }
-    /// The surface goes round the tube from minus to plus this angle; all the way unless the tube meets itself.
+    /// The surface goes round the tube from minus to plus this angle; all the way unless the tube
+    /// meets itself.
     [[nodiscard]] double tubeHalfAngle() const { return ratio > 1 ? std::acos(-1 / ratio) : kPi; }
 
     /// Depth and its slope along a line, `s` after `p`.
@@ -77,9 +82,9 @@ struct CanonicalTorus {
                 2 * (outwards * (x.x * unit.x + x.z * unit.z) / r + x.y * unit.y)};
     }
 
-    /// All crossings of the line, entries and exits in turn, as distances from `o`. The quartic is taken about the point of
-    /// closest approach to the centre, where its coefficients are small: error below 1e-11 out to 1e4 major radii
-    /// (tests/numeric/torus_test.cpp).
+    /// All crossings of the line, entries and exits in turn, as distances from `o`. The quartic is
+    /// taken about the point of closest approach to the centre, where its coefficients are small:
+    /// error below 1e-11 out to 1e4 major radii (tests/numeric/torus_test.cpp).
     [[nodiscard]] Roots<4> crossings(const DVec3& o, const DVec3& unit) const {
         const double shift = -glm::dot(o, unit), reach = 1 + ratio;
         const DVec3 p = o + shift * unit;
@@ -88,42 +93,53 @@ struct CanonicalTorus {
         const double k = m + 1 - ratio * ratio, w = unit.x * unit.x + unit.z * unit.z;
         // The ends lie beyond the bounding sphere and so outside, whatever rounding does.
         const double half = std::sqrt(half2) + ratio;
-        const auto critical = findRoots<3>({-8 * (p.x * unit.x + p.z * unit.z), 4 * k - 8 * w, 0.0, 4.0}, -half, half);
-        Roots<4> roots = signChanges<4>(critical, -half, half, [&](double s) { return depth(p, unit, s); });
+        const auto critical = findRoots<3>(
+            {-8 * (p.x * unit.x + p.z * unit.z), 4 * k - 8 * w, 0.0, 4.0}, -half, half);
+        Roots<4> roots =
+            signChanges<4>(critical, -half, half, [&](double s) { return depth(p, unit, s); });
         for (int i = 0; i < roots.count; ++i) roots.at[static_cast<std::size_t>(i)] += shift;
         return roots;
     }
 
-    /// The next crossing of a ray that starts on the surface: the line's root at 0 is divided out, so it can be neither met
-    /// again nor taken for another.
+    /// The next crossing of a ray that starts on the surface: the line's root at 0 is divided out,
+    /// so it can be neither met again nor taken for another.
     [[nodiscard]] Crossing fromSurface(const DVec3& o, const DVec3& unit, bool entering) const {
-        const double beta = glm::dot(o, unit), gamma = o.x * unit.x + o.z * unit.z, w = unit.x * unit.x + unit.z * unit.z;
-        const double m = glm::dot(o, o), k = m + 1 - ratio * ratio, r0 = std::hypot(o.x, o.z), reach = 1 + ratio;
-        const double end = std::sqrt(std::max(0.0, beta * beta - (m - reach * reach))) - beta + ratio;
+        const double beta = glm::dot(o, unit), gamma = o.x * unit.x + o.z * unit.z,
+                     w = unit.x * unit.x + unit.z * unit.z;
+        const double m = glm::dot(o, o), k = m + 1 - ratio * ratio, r0 = std::hypot(o.x, o.z),
+                     reach = 1 + ratio;
+        const double end =
+            std::sqrt(std::max(0.0, beta * beta - (m - reach * reach))) - beta + ratio;
         // (depth(t) - depth(0)) / t, free of cancellation. At 0 its sign is what `entering` says.
         const auto quotient = [&](double t) -> ValueAndSlope {
             if (t == 0) return {entering ? -1.0 : 1.0, 0};
             const DVec3 x = o + t * unit;
             const double r = std::sqrt(x.x * x.x + x.z * x.z), sum = r + r0;
-            if (!(r > 0)) return {2 * (o.y * unit.y + gamma) + t, 1};  // the axis, which a spindle reaches
-            const double growth = 2 * gamma + w * t;                   // (r^2 - r0^2) / t
+            if (!(r > 0))
+                return {2 * (o.y * unit.y + gamma) + t, 1};  // the axis, which a spindle reaches
+            const double growth = 2 * gamma + w * t;         // (r^2 - r0^2) / t
             return {2 * (o.y * unit.y + gamma * ((r - 1) + (r0 - 1)) / sum) + t * (1 - 2 * w / sum),
                     1 - 2 * w / sum + 2 * growth * (gamma + w * t) / (r * sum * sum)};
         };
-        const auto critical = findRoots<2>({4 * beta * beta + 2 * k - 4 * w, 8 * beta, 3.0}, 0.0, end);
+        const auto critical =
+            findRoots<2>({4 * beta * beta + 2 * k - 4 * w, 8 * beta, 3.0}, 0.0, end);
         const Roots<3> roots = signChanges<3>(critical, 0.0, end, quotient);
         if (roots.count > 0) return {roots[0]};
         return entering ? Crossing{0.0} : Crossing{};
     }
 
-    /// The first hit among the crossings. What is tracked decides between neighbours, as in firstCrossing().
+    /// The first hit among the crossings. What is tracked decides between neighbours, as in
+    /// firstCrossing().
     static Crossing select(const Roots<4>& hits, double length, Start start) {
-        const auto hit = [length](double distance) { return Crossing{std::max(distance, 0.0) / length}; };
+        const auto hit = [length](double distance) {
+            return Crossing{std::max(distance, 0.0) / length};
+        };
         switch (start) {
             case Start::KnownInside: {
                 double best = kInfinity, exit = 0;
                 for (int i = 0; i + 1 < hits.count; i += 2)
-                    if (const double away = std::max(hits[i], -hits[i + 1]); away < best) best = away, exit = hits[i + 1];
+                    if (const double away = std::max(hits[i], -hits[i + 1]); away < best)
+                        best = away, exit = hits[i + 1];
                 return hit(exit);
             }
             case Start::KnownOutside:
@@ -146,8 +162,19 @@ struct Torus {
     static constexpr std::string_view kind = "torus";
     static constexpr auto fields() {
         return std::tuple{
-            Field{"major_radius", &Torus::majorRadius, {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "From the centre to the middle of the tube"}},
-            Field{"minor_radius", &Torus::minorRadius, {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Radius of the tube; from the major radius on, the tube closes the hole"}}};
+            Field{"major_radius",
+                  &Torus::majorRadius,
+                  {.min = 0,
+                   .exclusiveMin = true,
+                   .unit = "m",
+                   .doc = "From the centre to the middle of the tube"}},
+            Field{
+                "minor_radius",
+                &Torus::minorRadius,
+                {.min = 0,
+                 .exclusiveMin = true,
+                 .unit = "m",
+                 .doc = "Radius of the tube; from the major radius on, the tube closes the hole"}}};
     }
     [[nodiscard]] DVec3 halfExtents() const { return DVec3(majorRadius); }
     [[nodiscard]] CanonicalTorus canonical() const { return {minorRadius / majorRadius}; }

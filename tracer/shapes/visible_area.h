@@ -5,9 +5,10 @@
 
 namespace glint {
 
-/// The direction from `o` to the surface point `p` with outward unit normal `n`, drawn with density `pdfArea`; no sample
-/// where the surface is turned away.
-[[nodiscard]] inline DirectionSample towardsArea(const DVec3& o, const DVec3& p, const DVec3& n, double pdfArea) {
+/// The direction from `o` to the surface point `p` with outward unit normal `n`, drawn with density
+/// `pdfArea`; no sample where the surface is turned away.
+[[nodiscard]] inline DirectionSample towardsArea(const DVec3& o, const DVec3& p, const DVec3& n,
+                                                 double pdfArea) {
     const DVec3 to = p - o;
     const double distance = glm::length(to);
     const DVec3 direction = to / distance;
@@ -17,7 +18,8 @@ namespace glint {
 }
 
 /// Its density for the unit direction `d`, which reaches the surface after `distance`.
-[[nodiscard]] inline double areaPdfTowards(const DVec3& d, double distance, const DVec3& n, double pdfArea) {
+[[nodiscard]] inline double areaPdfTowards(const DVec3& d, double distance, const DVec3& n,
+                                           double pdfArea) {
     const double cosine = -glm::dot(d, n);
     return cosine > 0 ? pdfArea * distance * distance / cosine : 0;
 }

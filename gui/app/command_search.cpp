@@ -1,0 +1,88 @@
+#include "gui/app/command_search.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QVBoxLayout>
+
+#include "gui/app/actions.h"
+
+namespace glint {
+
+namespace {
+
+QString plainText(const QAction* action) { return action->text().remove('&').remove(QStringLiteral("…")); }
+
+/// All letters of `wanted` stand in `text` in this order.
+bool matches(const QString& text, const QString& wanted) {
+    qsizetype at = 0;
+    for (const QChar c : wanted) {
+        if (c.isSpace()) continue;
+        at = text.indexOf(c, at, Qt::CaseInsensitive) + 1;
+        if (at == 0) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+CommandSearch::CommandSearch(const Actions& actions, QWidget* parent) : QFrame(parent, Qt::Popup), actions_(actions) {
+    setFrameShape(QFrame::StyledPanel);
+    line_ = new QLineEdit(this);
+    line_->setPlaceholderText(tr("Find a command"));
+    line_->installEventFilter(this);
+    list_ = new QListWidget(this);
+    list_->setFocusPolicy(Qt::NoFocus);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(line_);
+    layout->addWidget(list_);
+    connect(line_, &QLineEdit::textChanged, this, &CommandSearch::filter);
+    connect(line_, &QLineEdit::returnPressed, this, &CommandSearch::run);
+    connect(list_, &QListWidget::itemClicked, this, &CommandSearch::run);
+}
+
+void CommandSearch::open() {
+    resize(fontMetrics().averageCharWidth() * 56, fontMetrics().height() * 20);
+    const QWidget* over = parentWidget();
+    move(over->mapToGlobal(QPoint((over->width() - width()) / 2, over->height() / 6)));
+    line_->clear();
+    filter({});
+    show();
+    line_->setFocus();
+}
+
+void CommandSearch::filter(const QString& text) {
+    list_->clear();
+    for (QAction* action : actions_.all()) {
+        const QString name = plainText(action);
+        if (!action->isEnabled() || !matches(name + ' ' + Actions::groupOf(action) + ' ' + action->statusTip(), text)) continue;
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        auto* item = new QListWidgetItem(action->icon(), keys.isEmpty() ? name : QStringLiteral("%1   (%2)").arg(name, keys), list_);
+        item->setToolTip(action->statusTip());
+        item->setData(Qt::UserRole, QVariant::fromValue(action));
+        // Matches in the name itself come first.
+        if (!text.isEmpty() && name.contains(text, Qt::CaseInsensitive)) list_->insertItem(0, list_->takeItem(list_->row(item)));
+    }
+    list_->setCurrentRow(0);
+}
+
+void CommandSearch::run() {
+    const QListWidgetItem* item = list_->currentItem();
+    hide();
+    if (item) item->data(Qt::UserRole).value<QAction*>()->trigger();
+}
+
+bool CommandSearch::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Down || key == Qt::Key_Up) {
+            const int step = key == Qt::Key_Down ? 1 : -1;
+            list_->setCurrentRow(qBound(0, list_->currentRow() + step, list_->count() - 1));
+            return true;
+        }
+    }
+    return QFrame::eventFilter(watched, event);
+}
+
+}  // namespace glint

@@ -1,0 +1,346 @@
+#include "gui/app/main_window.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QShortcut>
+#include <QStatusBar>
+#include <QUndoView>
+#include <QVBoxLayout>
+
+#include "gui/app/actions.h"
+#include "gui/app/command_search.h"
+#include "gui/app/edit_controller.h"
+#include "gui/app/export_dialog.h"
+#include "gui/app/export_queue.h"
+#include "gui/app/file_controller.h"
+#include "gui/app/renderer.h"
+#include "gui/app/shortcut_sheet.h"
+#include "gui/app/text.h"
+#include "gui/app/theme.h"
+#include "gui/app/tool_bar.h"
+#include "gui/panels/environment_picker.h"
+#include "gui/panels/object_list.h"
+#include "gui/panels/property_panel.h"
+#include "gui/panels/render_panel.h"
+#include "gui/panels/thumbnails.h"
+#include "gui/viewport/render_view.h"
+#include "gui/viewport/view_commands.h"
+#include "gui/widgets/icons.h"
+#include "gui/widgets/message_bar.h"
+#include "gui/widgets/status_line.h"
+
+namespace glint {
+
+MainWindow::MainWindow(Memory memory, QWidget* parent) : QMainWindow(parent), memory_(memory), selection_(document_) {
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    document_.replace(starterScene(), {});
+    renderer_ = new Renderer(document_, this);
+    actions_ = new Actions(this);
+    buildCenter();
+    viewCommands_ = new ViewCommands(*view_, this);
+    edits_ = new EditController(document_, selection_, *view_, this);
+    files_ = new FileController(document_, *messages_, memory_, this);
+    exports_ = new ExportQueue(*messages_, this);
+    search_ = new CommandSearch(*actions_, this);
+    buildDocks();
+    buildMenus();
+    buildToolBar();
+    connectFileActions();
+    connectEditActions();
+    connectViewActions();
+    connectTools();
+    connectSavedViews();
+    connectState();
+    updateTitle();
+    if (memory_ == Memory::None) return;
+    QSettings settings;
+    restoreGeometry(settings.value("geometry").toByteArray());
+    restoreState(settings.value("layout").toByteArray());
+    (*actions_)["window.light"]->setChecked(settings.value("lightTheme").toBool());
+}
+
+MainWindow::~MainWindow() {
+    // Hiding ends what is being typed, while the document is still there to take it.
+    hide();
+    // The renderer's threads must not outlive the document they report on.
+    delete renderer_;
+}
+
+void MainWindow::buildCenter() {
+    auto* center = new QWidget(this);
+    messages_ = new MessageBar(center);
+    view_ = new RenderView(document_, selection_, *renderer_, center);
+    auto* layout = new QVBoxLayout(center);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(messages_);
+    layout->addWidget(view_, 1);
+    setCentralWidget(center);
+    status_ = new StatusLine(this);
+    statusBar()->addWidget(status_, 1);
+    statusBar()->setSizeGripEnabled(false);
+}
+
+QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    return dock;
+}
+
+void MainWindow::buildDocks() {
+    objects_ = new ObjectList(document_, selection_, this);
+    environment_ = new EnvironmentPicker(document_, std::filesystem::path(GLINT_RESOURCE_DIR) / "env", this);
+    properties_ = new PropertyPanel(document_, selection_, this);
+    auto* history = new QUndoView(&document_.undoStack(), this);
+    history->setEmptyLabel(tr("As opened"));
+    QDockWidget* objects = addDock("objects", tr("Objects"), objects_, Qt::LeftDockWidgetArea);
+    QDockWidget* environment = addDock("environment", tr("Environment"), environment_, Qt::LeftDockWidgetArea);
+    QDockWidget* properties = addDock("properties", tr("Properties"), properties_, Qt::RightDockWidgetArea);
+    QDockWidget* render = addDock("render", tr("Render"), new RenderPanel(document_, this), Qt::RightDockWidgetArea);
+    QDockWidget* steps = addDock("history", tr("History"), history, Qt::RightDockWidgetArea);
+    tabifyDockWidget(properties, render);
+    tabifyDockWidget(render, steps);
+    properties->raise();
+    const int unit = fontMetrics().averageCharWidth();
+    resizeDocks({objects, properties}, {unit * 40, unit * 46}, Qt::Horizontal);
+    resizeDocks({objects, environment}, {300, 340}, Qt::Vertical);
+}
+
+void MainWindow::buildMenus() {
+    const auto menu = [this](const QString& title, std::initializer_list<const char*> ids) {
+        QMenu* added = menuBar()->addMenu(title);
+        added->setToolTipsVisible(true);
+        actions_->fill(added, ids);
+        return added;
+    };
+    QMenu* file = menu(tr("&File"), {"file.new", "file.open"});
+    QMenu* recent = file->addMenu(tr("Open &recent"));
+    connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(recent); });
+    actions_->fill(file, {"-", "file.save", "file.saveAs", "-", "file.export", "-", "file.quit"});
+    menu(tr("&Edit"), {"edit.undo", "edit.redo", "-", "edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete", "-",
+                       "edit.selectAll", "edit.selectNone", "edit.rename", "-", "edit.hide", "edit.showAll", "-", "edit.group", "edit.ungroup"});
+    addMenu_ = menuBar()->addMenu(tr("&Add"));
+    edits_->fillAddMenu(addMenu_, [this] { return addAt_.isNull() ? QRectF(view_->rect()).center() : addAt_; });
+    objects_->setAddMenu(addMenu_);
+    menu(tr("&View"), {"tool.select", "tool.move", "tool.rotate", "tool.scale", "tool.snap", "-", "view.frameSelected", "view.frameAll", "-",
+                       "view.front", "view.behind", "view.right", "view.left", "view.top", "view.bottom", "-", "view.projection",
+                       "view.camera", "-", "view.previous", "view.next", "-", "view.overlay", "view.grid", "-", "view.darker", "view.brighter"});
+    menu(tr("&Render"), {"render.pause", "render.copy", "-", "file.export"});
+    QMenu* window = menuBar()->addMenu(tr("&Window"));
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) window->addAction(dock->toggleViewAction());
+    actions_->fill(window, {"-", "window.light"});
+    menu(tr("&Help"), {"help.shortcuts", "help.search", "-", "help.about"});
+
+    contextMenu_ = new QMenu(this);
+    contextMenu_->addMenu(addMenu_);
+    actions_->fill(contextMenu_, {"-", "edit.duplicate", "edit.delete", "edit.rename", "-", "edit.hide", "edit.showAll", "edit.group", "edit.ungroup",
+                                  "-", "view.frameSelected", "view.frameAll"});
+}
+
+void MainWindow::buildToolBar() { addToolBar(new ToolBar(document_, *view_, *actions_, this)); }
+
+void MainWindow::fillRecentMenu(QMenu* menu) {
+    menu->clear();
+    for (const QString& file : files_->recent())
+        connect(menu->addAction(file), &QAction::triggered, this, [this, file] { files_->open(toPath(file)); });
+    if (menu->isEmpty()) menu->addAction(tr("None"))->setEnabled(false);
+}
+
+void MainWindow::connectFileActions() {
+    actions_->on("file.new", files_, &FileController::newScene);
+    actions_->on("file.open", files_, &FileController::browse);
+    actions_->on("file.save", files_, &FileController::save);
+    actions_->on("file.saveAs", files_, &FileController::saveAs);
+    actions_->on("file.export", this, &MainWindow::openExport);
+    actions_->on("file.quit", this, &QWidget::close);
+    actions_->on("render.pause", renderer_, [this](bool paused) { renderer_->setPaused(paused); });
+    actions_->on("render.copy", this, [this] {
+        const SessionFrame* frame = renderer_->frame();
+        if (!frame || frame->width == 0) return;
+        const QImage image(reinterpret_cast<const uchar*>(frame->pixels.data()), frame->width, frame->height, frame->width * 4, QImage::Format_RGB32);
+        QApplication::clipboard()->setImage(image.copy());
+    });
+    actions_->on("help.shortcuts", this, [this] { (new ShortcutSheet(*actions_, this))->show(); });
+    actions_->on("help.search", search_, &CommandSearch::open);
+    actions_->on("help.about", this, [this] {
+        auto* box = new QMessageBox(QMessageBox::Information, tr("About Glint"),
+                                    tr("Glint %1\nA scene editor whose viewport is a ray tracer.\nMIT licence.").arg(GLINT_VERSION), QMessageBox::Ok, this);
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->setModal(false);
+        box->show();
+    });
+    connect((*actions_)["window.light"], &QAction::toggled, this, &MainWindow::applyWindowTheme);
+}
+
+void MainWindow::connectEditActions() {
+    QUndoStack* stack = &document_.undoStack();
+    QAction* undo = (*actions_)["edit.undo"];
+    QAction* redo = (*actions_)["edit.redo"];
+    actions_->on("edit.undo", stack, &QUndoStack::undo);
+    actions_->on("edit.redo", stack, &QUndoStack::redo);
+    const auto update = [=] {
+        undo->setEnabled(stack->canUndo());
+        redo->setEnabled(stack->canRedo());
+        undo->setText(stack->canUndo() ? tr("&Undo %1").arg(stack->undoText()) : tr("&Undo"));
+        redo->setText(stack->canRedo() ? tr("&Redo %1").arg(stack->redoText()) : tr("&Redo"));
+    };
+    connect(stack, &QUndoStack::indexChanged, this, update);
+    connect(stack, &QUndoStack::undoTextChanged, this, update);
+    update();
+    actions_->on("edit.cut", edits_, &EditController::cut);
+    actions_->on("edit.copy", edits_, &EditController::copy);
+    actions_->on("edit.paste", edits_, &EditController::paste);
+    actions_->on("edit.duplicate", edits_, &EditController::duplicate);
+    actions_->on("edit.delete", edits_, &EditController::remove);
+    actions_->on("edit.selectAll", edits_, &EditController::selectAll);
+    actions_->on("edit.selectNone", this, [this] { selection_.clear(); });
+    actions_->on("edit.rename", objects_, &ObjectList::renameActive);
+    actions_->on("edit.hide", edits_, &EditController::hideSelected);
+    actions_->on("edit.showAll", edits_, &EditController::showAll);
+    actions_->on("edit.group", edits_, &EditController::group);
+    actions_->on("edit.ungroup", edits_, &EditController::ungroup);
+    actions_->on("add.menu", this, &MainWindow::openAddMenu);
+    const auto warn = [this](const QString& reason) { messages_->show(MessageBar::Level::Warning, reason); };
+    connect(edits_, &EditController::refused, this, warn);
+    connect(objects_, &ObjectList::refused, this, warn);
+    const auto openContextMenu = [this](const QPoint& at) {
+        addAt_ = view_->mapFromGlobal(at);
+        contextMenu_->popup(at);
+    };
+    connect(view_, &RenderView::menuRequested, this, openContextMenu);
+    connect(objects_, &ObjectList::menuRequested, this, openContextMenu);
+}
+
+void MainWindow::connectViewActions() {
+    actions_->on("view.frameSelected", viewCommands_, &ViewCommands::frameSelected);
+    actions_->on("view.frameAll", viewCommands_, &ViewCommands::frameAll);
+    const std::pair<const char*, DVec3> directions[] = {{"view.front", {0, 0, -1}}, {"view.behind", {0, 0, 1}}, {"view.right", {-1, 0, 0}},
+                                                        {"view.left", {1, 0, 0}},   {"view.top", {0, -1, 0}},   {"view.bottom", {0, 1, 0}}};
+    for (const auto& [id, direction] : directions)
+        actions_->on(id, viewCommands_, [this, direction = direction] { viewCommands_->lookAlong(direction); });
+    actions_->on("view.projection", viewCommands_, &ViewCommands::toggleProjection);
+    actions_->on("view.previous", viewCommands_, &ViewCommands::back);
+    actions_->on("view.next", viewCommands_, &ViewCommands::forward);
+    actions_->on("view.camera", edits_, &EditController::lookThroughSelectedCamera);
+    actions_->on("view.overlay", view_, &RenderView::setOverlayShown);
+    actions_->on("view.grid", view_, &RenderView::setGridShown);
+    (*actions_)["view.overlay"]->setChecked(true);
+    constexpr double kHalfStop = 0.5;
+    actions_->on("view.darker", edits_, [this] { edits_->changeExposure(-kHalfStop); });
+    actions_->on("view.brighter", edits_, [this] { edits_->changeExposure(kHalfStop); });
+}
+
+void MainWindow::connectTools() {
+    auto* group = new QActionGroup(this);
+    const std::pair<const char*, Tool> tools[] = {{"tool.select", Tool::Select}, {"tool.move", Tool::Move}, {"tool.rotate", Tool::Rotate}, {"tool.scale", Tool::Scale}};
+    for (const auto& [id, tool] : tools) {
+        QAction* action = (*actions_)[id];
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, tool = tool] {
+            ToolOptions options = view_->tools();
+            options.tool = tool;
+            view_->setTools(options);
+        });
+    }
+    (*actions_)["tool.select"]->setChecked(true);
+    actions_->on("tool.snap", this, [this](bool on) {
+        ToolOptions options = view_->tools();
+        options.snap = on;
+        view_->setTools(options);
+    });
+}
+
+void MainWindow::connectSavedViews() {
+    for (int number = 1; number <= 9; ++number) {
+        const auto key = static_cast<Qt::Key>(Qt::Key_0 + number);
+        auto* go = new QShortcut(QKeySequence(Qt::CTRL | key), this);
+        auto* store = new QShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | key), this);
+        connect(go, &QShortcut::activated, viewCommands_, [this, number] { viewCommands_->goToSavedView(number); });
+        connect(store, &QShortcut::activated, viewCommands_, [this, number] { viewCommands_->storeView(number); });
+    }
+}
+
+void MainWindow::connectState() {
+    connect(&document_, &Document::titleChanged, this, &MainWindow::updateTitle);
+    connect(&selection_, &Selection::changed, this, &MainWindow::updateSelectionText);
+    connect(&document_, &Document::changed, this, &MainWindow::updateSelectionText);
+    connect(renderer_, &Renderer::frameReady, this, [this] { status_->showFrame(*renderer_->frame()); });
+    connect(renderer_, &Renderer::pausedChanged, this, [this](bool paused) {
+        (*actions_)["render.pause"]->setChecked(paused);
+        (*actions_)["render.pause"]->setIcon(icon(paused ? "play" : "pause"));
+    });
+}
+
+void MainWindow::updateTitle() {
+    setWindowTitle(QStringLiteral("%1%2 — Glint").arg(document_.title(), document_.isModified() ? QStringLiteral(" *") : QString()));
+}
+
+void MainWindow::updateSelectionText() {
+    const auto& items = selection_.items();
+    if (items.size() > 1) return status_->showSelection(tr("%n selected", nullptr, static_cast<int>(items.size())));
+    if (items.empty()) return status_->showSelection({});
+    const std::string name = nameOf(document_.scene(), items.front());
+    status_->showSelection(name.empty() ? tr("Camera") : toQString(name));
+}
+
+void MainWindow::openAddMenu() {
+    addAt_ = view_->pointerOrCenter();
+    addMenu_->popup(view_->mapToGlobal(addAt_.toPoint()));
+}
+
+void MainWindow::openExport() {
+    auto* dialog = new ExportDialog(document_, this);
+    connect(dialog, &ExportDialog::requested, exports_, &ExportQueue::add);
+    dialog->show();
+}
+
+void MainWindow::applyWindowTheme(bool light) {
+    applyTheme(light ? Theme::Light : Theme::Dark);
+    if (memory_ == Memory::Settings) QSettings().setValue("lightTheme", light);
+}
+
+void MainWindow::openDropped(const std::filesystem::path& file) {
+    if (isPicture(file)) environment_->choose(file);
+    else files_->open(file);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) return openDropped(toPath(url.toLocalFile()));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!closing_ && document_.isModified()) {
+        event->ignore();
+        files_->whenSafe([this] {
+            closing_ = true;
+            close();
+        });
+        return;
+    }
+    exports_->cancelAll();
+    if (memory_ == Memory::Settings) {
+        QSettings settings;
+        settings.setValue("geometry", saveGeometry());
+        settings.setValue("layout", saveState());
+    }
+    event->accept();
+}
+
+}  // namespace glint

@@ -1,0 +1,100 @@
+// MainWindow: puts the parts together: document, renderer, viewport, docks, menus. What commands do is in the controllers;
+// here is which action calls which of them.
+#pragma once
+
+#include <QMainWindow>
+#include <filesystem>
+
+#include "gui/app/document.h"
+#include "gui/app/memory.h"
+#include "gui/app/selection.h"
+
+class QDockWidget;
+class QMenu;
+
+namespace glint {
+
+class Actions;
+class CommandSearch;
+class EditController;
+class EnvironmentPicker;
+class ExportQueue;
+class FileController;
+class MessageBar;
+class ObjectList;
+class PropertyPanel;
+class Renderer;
+class RenderView;
+class StatusLine;
+class ViewCommands;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    explicit MainWindow(Memory memory, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    [[nodiscard]] Document& document() { return document_; }
+    [[nodiscard]] Selection& selection() { return selection_; }
+    [[nodiscard]] Renderer& renderer() { return *renderer_; }
+    [[nodiscard]] RenderView& view() { return *view_; }
+    [[nodiscard]] ObjectList& objectList() { return *objects_; }
+    [[nodiscard]] PropertyPanel& properties() { return *properties_; }
+    [[nodiscard]] EnvironmentPicker& environment() { return *environment_; }
+    [[nodiscard]] MessageBar& messages() { return *messages_; }
+    [[nodiscard]] FileController& files() { return *files_; }
+    [[nodiscard]] ExportQueue& exports() { return *exports_; }
+    [[nodiscard]] StatusLine& status() { return *status_; }
+    [[nodiscard]] Actions& actions() { return *actions_; }
+
+    /// A scene is opened, a picture becomes the environment.
+    void openDropped(const std::filesystem::path& file);
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    void buildCenter();
+    void buildDocks();
+    void buildMenus();
+    void buildToolBar();
+    void connectFileActions();
+    void connectEditActions();
+    void connectViewActions();
+    void connectTools();
+    void connectSavedViews();
+    void connectState();
+    QDockWidget* addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
+    void updateTitle();
+    void updateSelectionText();
+    void openAddMenu();
+    void openExport();
+    void fillRecentMenu(QMenu* menu);
+    void applyWindowTheme(bool light);
+
+    Memory memory_;
+    Document document_;
+    Selection selection_;
+    Renderer* renderer_;
+    RenderView* view_ = nullptr;
+    MessageBar* messages_ = nullptr;
+    StatusLine* status_ = nullptr;
+    ObjectList* objects_ = nullptr;
+    PropertyPanel* properties_ = nullptr;
+    EnvironmentPicker* environment_ = nullptr;
+    Actions* actions_ = nullptr;
+    ViewCommands* viewCommands_ = nullptr;
+    EditController* edits_ = nullptr;
+    FileController* files_ = nullptr;
+    ExportQueue* exports_ = nullptr;
+    CommandSearch* search_ = nullptr;
+    QMenu* addMenu_ = nullptr;
+    QMenu* contextMenu_ = nullptr;
+    QPointF addAt_;
+    bool closing_ = false;
+};
+
+}  // namespace glint

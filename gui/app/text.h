@@ -1,0 +1,32 @@
+// Conversions between the tracer's UTF-8 strings and Qt's.
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "tracer/base/result.h"
+
+namespace glint {
+
+[[nodiscard]] inline QString toQString(std::string_view utf8) {
+    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+[[nodiscard]] inline std::filesystem::path toPath(const QString& text) { return text.toStdString(); }
+[[nodiscard]] inline QString pathText(const std::filesystem::path& path) { return toQString(path.string()); }
+
+/// An error as one readable line.
+[[nodiscard]] inline QString toQString(const Error& error) { return toQString(error.text()); }
+
+/// A name from a field table or type list ("vertical_fov_degrees") as a person reads it ("Vertical fov").
+[[nodiscard]] inline QString labelOf(std::string_view name) {
+    QString text = toQString(name);
+    if (text.endsWith(QLatin1String("_degrees"))) text.chop(8);
+    text.replace(QLatin1Char('_'), QLatin1Char(' '));
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    return QCoreApplication::translate("Field", text.toUtf8().constData());
+}
+
+}  // namespace glint

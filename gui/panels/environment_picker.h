@@ -1,0 +1,38 @@
+// EnvironmentPicker: thumbnails of the environments that come with the program and any other picture, and the environment's
+// settings below.
+#pragma once
+
+#include <QWidget>
+#include <filesystem>
+
+class QListWidget;
+class QListWidgetItem;
+
+namespace glint {
+
+class Document;
+
+class EnvironmentPicker : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// `folder` holds the environments that come with the program.
+    EnvironmentPicker(Document& document, const std::filesystem::path& folder, QWidget* parent = nullptr);
+
+    /// Makes a picture file the environment.
+    void choose(const std::filesystem::path& image);
+    [[nodiscard]] QListWidget* thumbnails() const { return thumbnails_; }
+
+  private:
+    void buildThumbnails();
+    void addThumbnail(const std::filesystem::path& image);
+    void chooseNone();
+    void browse();
+    void showCurrent();
+    [[nodiscard]] QListWidgetItem* itemFor(const std::filesystem::path& image) const;
+
+    Document& document_;
+    QListWidget* thumbnails_;
+};
+
+}  // namespace glint

@@ -1,0 +1,143 @@
+#include "gui/panels/object_list.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QMenu>
+#include <QScopedValueRollback>
+#include <QSortFilterProxyModel>
+#include <QToolButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "gui/app/document.h"
+#include "gui/app/selection.h"
+#include "gui/panels/object_model.h"
+#include "gui/widgets/icons.h"
+
+namespace glint {
+
+ObjectList::ObjectList(Document& document, Selection& selection, QWidget* parent)
+    : QWidget(parent), document_(document), selection_(selection) {
+    model_ = new ObjectModel(document, this);
+    filter_ = new QSortFilterProxyModel(this);
+    filter_->setSourceModel(model_);
+    filter_->setRecursiveFilteringEnabled(true);
+    filter_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+
+    search_ = new QLineEdit(this);
+    search_->setPlaceholderText(tr("Search"));
+    search_->setClearButtonEnabled(true);
+    search_->addAction(icon("search"), QLineEdit::LeadingPosition);
+    search_->setAccessibleName(tr("Search objects"));
+    connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
+        filter_->setFilterFixedString(text);
+        tree_->expandAll();
+        showSelection();
+    });
+    add_ = new QToolButton(this);
+    add_->setIcon(icon("add"));
+    add_->setToolTip(tr("Add (Shift+A)"));
+    add_->setAccessibleName(tr("Add"));
+    add_->setAutoRaise(true);
+    add_->setPopupMode(QToolButton::InstantPopup);
+
+    buildTree();
+    auto* top = new QHBoxLayout;
+    top->setSpacing(2);
+    top->addWidget(search_, 1);
+    top->addWidget(add_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(4);
+    layout->addLayout(top);
+    layout->addWidget(tree_);
+
+    connect(&selection, &Selection::changed, this, &ObjectList::showSelection);
+    connect(model_, &ObjectModel::refused, this, &ObjectList::refused);
+    connect(model_, &QAbstractItemModel::modelReset, this, [this] {
+        tree_->expandAll();
+        showSelection();
+    });
+}
+
+void ObjectList::buildTree() {
+    tree_ = new QTreeView(this);
+    tree_->setModel(filter_);
+    tree_->setAccessibleName(tr("Objects"));
+    tree_->setHeaderHidden(true);
+    tree_->setUniformRowHeights(true);
+    tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    tree_->setDragDropMode(QAbstractItemView::DragDrop);
+    tree_->setDefaultDropAction(Qt::MoveAction);
+    tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+    tree_->setIndentation(fontMetrics().averageCharWidth() * 2);
+    tree_->header()->setStretchLastSection(false);
+    tree_->header()->setMinimumSectionSize(16);
+    tree_->header()->setSectionResizeMode(ObjectModel::NameColumn, QHeaderView::Stretch);
+    for (const int column : {ObjectModel::VisibleColumn, ObjectModel::LockedColumn}) {
+        tree_->header()->setSectionResizeMode(column, QHeaderView::Fixed);
+        tree_->setColumnWidth(column, fontMetrics().height() + 8);
+    }
+    tree_->expandAll();
+    connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+        if (index.column() != ObjectModel::NameColumn) model_->toggle(filter_->mapToSource(index));
+    });
+    connect(tree_, &QWidget::customContextMenuRequested, this,
+            [this](const QPoint& at) { emit menuRequested(tree_->viewport()->mapToGlobal(at)); });
+    connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ObjectList::takeSelection);
+}
+
+void ObjectList::setAddMenu(QMenu* menu) { add_->setMenu(menu); }
+
+void ObjectList::renameActive() {
+    if (selection_.isEmpty()) return;
+    const QModelIndex index = filter_->mapFromSource(model_->indexOf(selection_.items().back()));
+    if (!index.isValid()) return;
+    tree_->setFocus();
+    tree_->setCurrentIndex(index);
+    tree_->edit(index);
+}
+
+void ObjectList::takeSelection() {
+    if (syncing_) return;
+    std::vector<Item> items;
+    for (const QModelIndex& index : tree_->selectionModel()->selectedRows()) items.push_back(model_->itemAt(filter_->mapToSource(index)));
+    // The row that was clicked last is the active item.
+    const QModelIndex current = tree_->currentIndex();
+    if (current.isValid()) {
+        const auto active = std::find(items.begin(), items.end(), model_->itemAt(filter_->mapToSource(current)));
+        if (active != items.end()) std::rotate(active, active + 1, items.end());
+    }
+    const QScopedValueRollback guard(syncing_, true);
+    selection_.set(std::move(items));
+}
+
+void ObjectList::showSelection() {
+    if (syncing_) return;
+    const QScopedValueRollback guard(syncing_, true);
+    std::vector<QModelIndex> rows;
+    for (const Item item : selection_.items()) {
+        const QModelIndex index = filter_->mapFromSource(model_->indexOf(item));
+        if (index.isValid()) rows.push_back(index);
+    }
+    std::sort(rows.begin(), rows.end());
+    // One range for each run of neighbours: thousands of single rows would make every paint slow.
+    QItemSelection ranges;
+    for (std::size_t i = 0; i < rows.size();) {
+        std::size_t end = i + 1;
+        while (end < rows.size() && rows[end].parent() == rows[i].parent() && rows[end].row() == rows[end - 1].row() + 1) ++end;
+        ranges.append(QItemSelectionRange(rows[i], rows[end - 1].siblingAtColumn(ObjectModel::ColumnCount - 1)));
+        i = end;
+    }
+    tree_->selectionModel()->select(ranges, QItemSelectionModel::ClearAndSelect);
+    if (selection_.isEmpty()) return;
+    const QModelIndex active = filter_->mapFromSource(model_->indexOf(selection_.items().back()));
+    if (!active.isValid()) return;
+    tree_->selectionModel()->setCurrentIndex(active, QItemSelectionModel::NoUpdate);
+    tree_->scrollTo(active);
+}
+
+}  // namespace glint

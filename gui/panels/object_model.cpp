@@ -1,0 +1,270 @@
+#include "gui/panels/object_model.h"
+
+#include <QApplication>
+#include <QDataStream>
+#include <QIODevice>
+#include <QMimeData>
+#include <QPalette>
+#include <algorithm>
+
+#include "gui/app/document.h"
+#include "gui/app/text.h"
+#include "gui/widgets/icons.h"
+
+namespace glint {
+
+namespace {
+
+const QString kMimeType = QStringLiteral("application/x-glint-items");
+/// Above so many changed entries the tree is made anew: quicker than row by row.
+constexpr std::size_t kRebuildAbove = 200;
+
+/// Visits each entry that differs, as (item, was there, is there, moved to another group).
+template <class Table, class Visit>
+void visitDifferences(const Table& before, const Table& after, Visit&& visit) {
+    Table::forEachDifference(before, after, [&](auto id, const auto* old, const auto* now) {
+        bool moved = false;
+        if constexpr (requires { old->parent; }) moved = old && now && old->parent != now->parent;
+        visit(Item::of(id), old != nullptr, now != nullptr, moved);
+    });
+}
+
+}  // namespace
+
+ObjectModel::ObjectModel(Document& document, QObject* parent) : QAbstractItemModel(parent), document_(document) {
+    connect(&document, &Document::changed, this, &ObjectModel::onChanged);
+    rebuild();
+}
+
+void ObjectModel::rebuild() {
+    beginResetModel();
+    nodes_.clear();
+    root_ = {};
+    const Scene& scene = document_.scene();
+    std::vector<Item> items{{ItemKind::Camera, 0}};
+    const auto collect = [&](auto id, const auto&) { items.push_back(Item::of(id)); };
+    scene.groups.forEach(collect);
+    scene.objects.forEach(collect);
+    scene.lights.forEach(collect);
+    scene.cameras.forEach(collect);
+    for (const Item item : items) nodes_[item] = std::make_unique<Node>(Node{item, nullptr, {}});
+    for (const auto& [item, node] : nodes_) {
+        node->parent = parentNodeOf(item);
+        node->parent->children.push_back(node.get());  // The map is sorted, hence the children too.
+    }
+    endResetModel();
+}
+
+void ObjectModel::onChanged(const Scene& before) {
+    struct Change {
+        Item item;
+        bool was, is, moved;
+    };
+    std::vector<Change> changes;
+    const auto note = [&](Item item, bool was, bool is, bool moved) { changes.push_back({item, was, is, moved}); };
+    const Scene& after = document_.scene();
+    visitDifferences(before.groups, after.groups, note);
+    visitDifferences(before.objects, after.objects, note);
+    visitDifferences(before.lights, after.lights, note);
+    visitDifferences(before.cameras, after.cameras, note);
+    if (before.activeCamera != after.activeCamera)
+        for (const CameraId id : {before.activeCamera, after.activeCamera}) refresh(Item::of(id));
+    const auto restructures = [](const Change& c) { return !c.was || !c.is || c.moved; };
+    const auto restructured = static_cast<std::size_t>(std::count_if(changes.begin(), changes.end(), restructures));
+    // A group that comes, goes or moves takes its rows along: rare, and simplest from scratch.
+    const bool groups = std::any_of(changes.begin(), changes.end(),
+                                    [&](const Change& c) { return c.item.kind == ItemKind::Group && restructures(c); });
+    if (groups || restructured > kRebuildAbove) return rebuild();
+    for (const Change& change : changes) {
+        if (!restructures(change)) refresh(change.item);
+        if (change.was && restructures(change)) remove(change.item);
+        if (change.is && restructures(change)) insert(change.item);
+    }
+}
+
+void ObjectModel::insert(Item item) {
+    auto node = std::make_unique<Node>(Node{item, parentNodeOf(item), {}});
+    auto& siblings = node->parent->children;
+    const auto at = std::lower_bound(siblings.begin(), siblings.end(), item, [](const Node* n, Item i) { return n->item < i; });
+    const int row = static_cast<int>(at - siblings.begin());
+    beginInsertRows(indexOfNode(node->parent), row, row);
+    siblings.insert(at, node.get());
+    nodes_[item] = std::move(node);
+    endInsertRows();
+}
+
+void ObjectModel::remove(Item item) {
+    Node* node = nodes_.at(item).get();
+    auto& siblings = node->parent->children;
+    const auto at = std::lower_bound(siblings.begin(), siblings.end(), item, [](const Node* n, Item i) { return n->item < i; });
+    const int row = static_cast<int>(at - siblings.begin());
+    beginRemoveRows(indexOfNode(node->parent), row, row);
+    siblings.erase(at);
+    nodes_.erase(item);
+    endRemoveRows();
+}
+
+void ObjectModel::refresh(Item item) {
+    const QModelIndex first = indexOf(item);
+    if (first.isValid()) emit dataChanged(first, first.siblingAtColumn(ColumnCount - 1));
+}
+
+ObjectModel::Node* ObjectModel::parentNodeOf(Item item) {
+    const GroupId parent = parentOf(document_.scene(), item);
+    return parent ? nodes_.at(Item::of(parent)).get() : &root_;
+}
+
+ObjectModel::Node* ObjectModel::nodeOf(const QModelIndex& index) const { return static_cast<Node*>(index.internalPointer()); }
+
+QModelIndex ObjectModel::indexOfNode(const Node* node, int column) const {
+    if (node == &root_) return {};
+    const auto& siblings = node->parent->children;
+    const auto at = std::lower_bound(siblings.begin(), siblings.end(), node->item, [](const Node* n, Item i) { return n->item < i; });
+    return createIndex(static_cast<int>(at - siblings.begin()), column, node);
+}
+
+Item ObjectModel::itemAt(const QModelIndex& index) const { return nodeOf(index)->item; }
+
+QModelIndex ObjectModel::indexOf(Item item) const {
+    const auto found = nodes_.find(item);
+    return found == nodes_.end() ? QModelIndex() : indexOfNode(found->second.get());
+}
+
+QModelIndex ObjectModel::index(int row, int column, const QModelIndex& parent) const {
+    const Node* node = parent.isValid() ? nodeOf(parent) : &root_;
+    if (row < 0 || static_cast<std::size_t>(row) >= node->children.size() || column < 0 || column >= ColumnCount) return {};
+    return createIndex(row, column, node->children[static_cast<std::size_t>(row)]);
+}
+
+QModelIndex ObjectModel::parent(const QModelIndex& index) const {
+    return index.isValid() ? indexOfNode(nodeOf(index)->parent) : QModelIndex();
+}
+
+int ObjectModel::rowCount(const QModelIndex& parent) const {
+    if (parent.column() > 0) return 0;
+    return static_cast<int>((parent.isValid() ? nodeOf(parent) : &root_)->children.size());
+}
+
+int ObjectModel::columnCount(const QModelIndex&) const { return ColumnCount; }
+
+QString ObjectModel::iconName(Item item) const {
+    const Scene& scene = document_.scene();
+    switch (item.kind) {
+        case ItemKind::Group: return QStringLiteral("group");
+        case ItemKind::Camera: return QStringLiteral("camera");
+        case ItemKind::Object: return "shape-" + toQString(kindOf(scene.objects.at(ObjectId{item.id}).shape));
+        case ItemKind::Light: return "light-" + toQString(kindOf(scene.lights.at(LightId{item.id}).value));
+    }
+    return {};
+}
+
+QString ObjectModel::displayName(Item item) const {
+    const std::string name = nameOf(document_.scene(), item);
+    return name.empty() ? tr("Camera") : toQString(name);
+}
+
+QVariant ObjectModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) return {};
+    const Item item = itemAt(index);
+    const Scene& scene = document_.scene();
+    if (!exists(scene, item)) return {};  // Asked while its row is on the way out.
+    const int column = index.column();
+    if (column == NameColumn) {
+        if (role == Qt::DisplayRole || role == Qt::EditRole) return displayName(item);
+        if (role == Qt::DecorationRole) return icon(iconName(item));
+        if (role == Qt::ForegroundRole && !isVisible(scene, item))
+            return QApplication::palette().brush(QPalette::Disabled, QPalette::Text);
+        return {};
+    }
+    const bool lockable = item.kind == ItemKind::Object || item.kind == ItemKind::Group;
+    if (column == VisibleColumn && item.kind != ItemKind::Camera) {
+        const bool on = isVisible(scene, item);
+        if (role == Qt::DecorationRole) return icon(on ? "eye" : "eye-off");
+        if (role == Qt::ToolTipRole) return on ? tr("Visible: click to hide") : tr("Hidden: click to show");
+    }
+    if (column == LockedColumn && lockable) {
+        const bool on = isLocked(scene, item);
+        if (role == Qt::DecorationRole) return icon(on ? "lock" : "unlock");
+        if (role == Qt::ToolTipRole) return on ? tr("Locked: click to unlock") : tr("Click to lock: it cannot be picked then");
+    }
+    return {};
+}
+
+bool ObjectModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole || index.column() != NameColumn) return false;
+    const Item item = itemAt(index);
+    const std::string name = value.toString().trimmed().toStdString();
+    const NameFault fault = nameFault(document_.committed(), item, name);
+    if (fault != NameFault::None) {
+        emit refused(fault == NameFault::Empty ? tr("A name must not be empty") : tr("Another one has the name \"%1\"").arg(value.toString()));
+        return false;
+    }
+    document_.edit(renamed(document_.committed(), item, name), tr("Rename"));
+    return true;
+}
+
+void ObjectModel::toggle(const QModelIndex& index) {
+    const Item item = itemAt(index);
+    const Scene& scene = document_.committed();
+    if (index.column() == VisibleColumn && item.kind != ItemKind::Camera) {
+        const bool on = isVisible(scene, item);
+        document_.edit(withVisible(scene, item, !on), on ? tr("Hide") : tr("Show"));
+    }
+    if (index.column() == LockedColumn && (item.kind == ItemKind::Object || item.kind == ItemKind::Group)) {
+        const bool on = isLocked(scene, item);
+        document_.edit(withLocked(scene, item, !on), on ? tr("Unlock") : tr("Lock"));
+    }
+}
+
+Qt::ItemFlags ObjectModel::flags(const QModelIndex& index) const {
+    if (!index.isValid()) return Qt::ItemIsDropEnabled;
+    const Item item = itemAt(index);
+    Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    const bool named = item.kind != ItemKind::Camera || item.id != 0;
+    if (index.column() == NameColumn && named) flags |= Qt::ItemIsEditable;
+    if (item.kind == ItemKind::Object || item.kind == ItemKind::Group) flags |= Qt::ItemIsDragEnabled;
+    if (item.kind == ItemKind::Group) flags |= Qt::ItemIsDropEnabled;
+    return flags;
+}
+
+QStringList ObjectModel::mimeTypes() const { return {kMimeType}; }
+
+QMimeData* ObjectModel::mimeData(const QModelIndexList& indexes) const {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    for (const QModelIndex& index : indexes) {
+        if (index.column() != NameColumn) continue;
+        const Item item = itemAt(index);
+        stream << static_cast<quint8>(item.kind) << static_cast<quint32>(item.id);
+    }
+    auto* data = new QMimeData;
+    data->setData(kMimeType, bytes);
+    return data;
+}
+
+bool ObjectModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int, int, const QModelIndex& parent) {
+    if (action != Qt::MoveAction || !data->hasFormat(kMimeType)) return false;
+    GroupId group;
+    if (parent.isValid()) {
+        const Item onto = itemAt(parent);
+        group = onto.kind == ItemKind::Group ? GroupId{onto.id} : parentOf(document_.scene(), onto);
+    }
+    QByteArray bytes = data->data(kMimeType);
+    QDataStream stream(&bytes, QIODevice::ReadOnly);
+    std::vector<Item> items;
+    while (!stream.atEnd()) {
+        quint8 kind = 0;
+        quint32 id = 0;
+        stream >> kind >> id;
+        const Item item{static_cast<ItemKind>(kind), id};
+        // The text may come from another window.
+        if (kind <= static_cast<quint8>(ItemKind::Camera) && exists(document_.scene(), item)) items.push_back(item);
+    }
+    Scene scene = document_.committed();
+    for (const Item item : topmost(scene, items)) scene = movedInto(std::move(scene), item, group);
+    document_.edit(std::move(scene), group ? tr("Move into group") : tr("Move out of group"));
+    // The rows have moved already: the view must not remove them.
+    return false;
+}
+
+}  // namespace glint

@@ -1,0 +1,72 @@
+// RenderView: the picture. Paints the newest frame and the overlay, and turns pointer and keys into gestures. What a gesture
+// does is in navigation_gestures.h and edit_gestures.h; menu commands of the view are in view_commands.h.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+#include "gui/viewport/gesture.h"
+
+namespace glint {
+
+class RenderView : public QWidget {
+    Q_OBJECT
+
+  public:
+    RenderView(Document& document, Selection& selection, Renderer& renderer, QWidget* parent = nullptr);
+    ~RenderView() override;
+
+    [[nodiscard]] ViewContext& context() { return context_; }
+    [[nodiscard]] const ToolOptions& tools() const { return context_.tools; }
+    void setTools(const ToolOptions& tools);
+    void setOverlayShown(bool shown);
+    void setGridShown(bool shown);
+    /// Where the pointer is, or the middle of the view if it is elsewhere.
+    [[nodiscard]] QPointF pointerOrCenter() const;
+    /// Lets the selected items of `base` follow the pointer until a click.
+    void beginFollow(Scene base, const QString& text);
+    /// Ends what the pointer is doing and takes it back; false if it does nothing.
+    bool cancelGesture();
+    [[nodiscard]] bool isGesturing() const { return gesture_ != nullptr; }
+    [[nodiscard]] QSize sizeHint() const override { return {960, 540}; }
+
+  signals:
+    void toolsChanged(const glint::ToolOptions& tools);
+    /// A right click without a drag.
+    void menuRequested(const QPoint& globalAt);
+    /// One line about the running gesture; empty when it ends.
+    void readoutChanged(const QString& text);
+
+  protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+  private:
+    [[nodiscard]] std::unique_ptr<Gesture> gestureFor(const QMouseEvent& event);
+    void endGesture(const Pointer& pointer);
+    void updateHover(const QPointF& at);
+    void updateSize();
+    void focusAt(const QPointF& at);
+    void paintPicture(QPainter& painter) const;
+    void paintOverlay(QPainter& painter) const;
+    void paintHints(QPainter& painter) const;
+
+    ViewContext context_;
+    std::unique_ptr<Gesture> gesture_;
+    Qt::MouseButton gestureButton_ = Qt::NoButton;  ///< NoButton: follows until a click
+    Handle hovered_ = Handle::None;
+    bool overlayShown_ = true, gridShown_ = false;
+    QTimer wheelTimer_;  ///< runs while wheel steps count as one move of the view
+};
+
+}  // namespace glint

@@ -1,0 +1,95 @@
+#include "gui/widgets/status_line.h"
+
+#include <cmath>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+
+#include "gui/app/text.h"
+#include "gui/widgets/icons.h"
+
+namespace glint {
+
+namespace {
+
+QString duration(double seconds) {
+    const auto whole = static_cast<long long>(seconds);
+    if (whole < 60) return StatusLine::tr("%1 s").arg(seconds, 0, 'f', seconds < 10 ? 1 : 0);
+    return StatusLine::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
+}
+
+QString stateText(const SessionFrame& frame) {
+    if (frame.state == SessionState::Paused) return StatusLine::tr("paused");
+    if (frame.state == SessionState::Converged) return StatusLine::tr("done");
+    return frame.spp == 0 ? StatusLine::tr("preview") : QString();
+}
+
+/// "glint::Path<2>"-like names and feature lists belong into the tool tip.
+QString details(const SessionFrame& frame) {
+    QStringList features;
+    for (const std::string& feature : frame.features) features << toQString(feature);
+    return StatusLine::tr("Kernel: %1\nThe scene holds: %2").arg(toQString(frame.kernel), features.join(", "));
+}
+
+}  // namespace
+
+StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
+    state_ = new QLabel(this);
+    selection_ = new QLabel(this);
+    warningButton_ = new QToolButton(this);
+    warningButton_->setIcon(icon("warning"));
+    warningButton_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    warningButton_->setAutoRaise(true);
+    warningButton_->setToolTip(tr("What the picture cannot show as the scene asks"));
+    warningButton_->hide();
+    connect(warningButton_, &QToolButton::clicked, this, &StatusLine::openWarnings);
+    state_->setMinimumWidth(1);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 0, 8, 0);
+    layout->setSpacing(12);
+    layout->addWidget(state_, 1);
+    layout->addWidget(warningButton_);
+    layout->addWidget(selection_);
+}
+
+void StatusLine::showFrame(const SessionFrame& frame) {
+    QStringList parts;
+    const QString state = stateText(frame);
+    if (!state.isEmpty()) parts << state;
+    parts << (frame.sppTarget > 0 ? tr("%1 / %2 spp").arg(frame.spp).arg(frame.sppTarget) : tr("%1 spp").arg(frame.spp));
+    if (std::isfinite(frame.error)) parts << tr("± %1 %").arg(100 * frame.error, 0, 'g', 2);
+    parts << duration(frame.seconds);
+    if (frame.raysPerSecond > 0) parts << tr("%1 Mray/s").arg(frame.raysPerSecond / 1e6, 0, 'f', 1);
+    if (!frame.kernel.empty()) parts << toQString(frame.kernel);
+    if (frame.nonfiniteSamples > 0) parts << tr("%n faulty sample(s)", nullptr, static_cast<int>(frame.nonfiniteSamples));
+    state_->setText(parts.join(QStringLiteral("  ·  ")));
+    state_->setToolTip(details(frame));
+    size_ = tr("%1 × %2 px").arg(frame.width).arg(frame.height);
+    showSelection(selectionText_);
+    showWarnings(frame.warnings);
+}
+
+void StatusLine::showSelection(const QString& text) {
+    selectionText_ = text;
+    selection_->setText(text.isEmpty() ? size_ : text + QStringLiteral("  ·  ") + size_);
+}
+
+void StatusLine::showWarnings(const std::vector<Error>& warnings) {
+    if (warnings == warnings_) return;
+    warnings_ = warnings;
+    warningButton_->setVisible(!warnings.empty());
+    warningButton_->setText(tr("%n warning(s)", nullptr, static_cast<int>(warnings.size())));
+}
+
+void StatusLine::openWarnings() {
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const Error& warning : warnings_) menu->addAction(toQString(warning))->setEnabled(false);
+    menu->popup(warningButton_->mapToGlobal(QPoint(0, -menu->sizeHint().height())));
+}
+
+QString StatusLine::text() const { return state_->text(); }
+
+}  // namespace glint
