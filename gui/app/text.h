@@ -23,7 +23,11 @@ namespace glint {
 /// A name from a field table or type list ("vertical_fov_degrees") as a person reads it ("Vertical fov").
 [[nodiscard]] inline QString labelOf(std::string_view name) {
     QString text = toQString(name);
-    if (text.endsWith(QLatin1String("_degrees"))) text.chop(8);
+    // The unit stands behind the number.
+    for (const char* unit : {"_degrees", "_seconds", "_percent", "_ev"})
+        if (text.endsWith(QLatin1String(unit))) text.chop(qsizetype(std::char_traits<char>::length(unit)));
+    if (text == QLatin1String("ior")) return QStringLiteral("IOR");
+    if (text == QLatin1String("spp")) return QCoreApplication::translate("Field", "Samples a pixel");
     text.replace(QLatin1Char('_'), QLatin1Char(' '));
     if (!text.isEmpty()) text[0] = text[0].toUpper();
     return QCoreApplication::translate("Field", text.toUtf8().constData());

@@ -48,9 +48,9 @@ FieldEditor FormBuilder::makeSwitch(QWidget* content, const QString& path, std::
     auto* check = new QCheckBox(box);
     check->setObjectName(path + ".set");
     check->setToolTip(QCoreApplication::translate("FormBuilder", "Set it, or leave it to the default"));
-    row->addWidget(check);
+    row->addWidget(check, 0, Qt::AlignTop);
     if (content) row->addWidget(content, 1);
-    else row->addStretch();
+    row->addStretch();
     QObject::connect(check, &QCheckBox::clicked, check, [set, check](bool on) {
         const QString reason = set(on);
         if (reason.isEmpty()) return;
@@ -60,13 +60,13 @@ FieldEditor FormBuilder::makeSwitch(QWidget* content, const QString& path, std::
     return {box, [check, content, isSet](const Scene& scene) {
                 const bool on = isSet(scene);
                 check->setChecked(on);
-                if (content) content->setEnabled(on);
+                if (content) content->setVisible(on);
             }};
 }
 
 void FormBuilder::placeRow(Section* section, const QString& label, const FieldMeta& meta, FieldEditor editor, const Reset& reset) {
     auto* title = new QLabel(label, section);
-    title->setFixedWidth(title->fontMetrics().averageCharWidth() * 15);
+    title->setFixedWidth(title->fontMetrics().averageCharWidth() * 18);
     title->setToolTip(explanation(meta));
     editor.widget->setToolTip(explanation(meta));
 

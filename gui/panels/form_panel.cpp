@@ -8,10 +8,7 @@ namespace glint {
 
 FormPanel::FormPanel(Document& document, std::function<void(FormBuilder&)> build, std::function<QString(const Scene&)> structure,
                      QWidget* parent)
-    : QScrollArea(parent), document_(document), build_(std::move(build)), structure_(std::move(structure)) {
-    setWidgetResizable(true);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    : FormScroll(parent), document_(document), build_(std::move(build)), structure_(std::move(structure)) {
     connect(&document, &Document::changed, this, &FormPanel::onChanged);
     rebuild();
 }
@@ -23,18 +20,13 @@ void FormPanel::onChanged() {
 
 void FormPanel::rebuild() {
     builtFor_ = structure_(document_.scene());
-    // The old form may be in the middle of an event of one of its editors: it goes later.
-    if (QWidget* old = takeWidget()) {
-        old->hide();
-        old->deleteLater();
-    }
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     FormBuilder form(document_, std::make_shared<const std::vector<std::uint32_t>>(1, 0u), content);
     build_(form);
     refreshes_ = form.takeRefreshes();
     layout->addStretch(1);
-    setWidget(content);
+    setForm(content);
     for (const auto& refresh : refreshes_) refresh(document_.scene());
 }
 

@@ -1,9 +1,10 @@
 // FormPanel: a scrolled form about parts of the scene that are always there, such as film and render settings.
 #pragma once
 
-#include <QScrollArea>
 #include <functional>
 #include <vector>
+
+#include "gui/widgets/form_scroll.h"
 
 namespace glint {
 
@@ -11,7 +12,7 @@ class Document;
 class FormBuilder;
 struct Scene;
 
-class FormPanel : public QScrollArea {
+class FormPanel : public FormScroll {
     Q_OBJECT
 
   public:

@@ -31,10 +31,7 @@ QString kindText(const Variant& value) {
 }  // namespace
 
 PropertyPanel::PropertyPanel(Document& document, const Selection& selection, QWidget* parent)
-    : QScrollArea(parent), document_(document), selection_(selection) {
-    setWidgetResizable(true);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    : FormScroll(parent), document_(document), selection_(selection) {
     setAccessibleName(tr("Properties"));
     connect(&document, &Document::changed, this, &PropertyPanel::onChanged);
     connect(&selection, &Selection::changed, this, &PropertyPanel::onChanged);
@@ -68,11 +65,6 @@ QString PropertyPanel::structure() const {
 void PropertyPanel::rebuild() {
     builtFor_ = structure();
     refreshes_.clear();
-    // The old form may be in the middle of an event of one of its editors: it goes later.
-    if (QWidget* old = takeWidget()) {
-        old->hide();
-        old->deleteLater();
-    }
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
     if (selection_.isEmpty()) {
@@ -81,7 +73,7 @@ void PropertyPanel::rebuild() {
         hint->setWordWrap(true);
         hint->setEnabled(false);
         layout->addWidget(hint);
-        setWidget(content);
+        setForm(content);
         return;
     }
 
@@ -106,7 +98,7 @@ void PropertyPanel::rebuild() {
         case ItemKind::Camera: add(ids, buildCameraForm); break;
     }
     layout->addStretch(1);
-    setWidget(content);
+    setForm(content);
     for (const auto& refresh : refreshes_) refresh(document_.scene());
 }
 

@@ -2,9 +2,10 @@
 // (other items, another type), and else only refreshed.
 #pragma once
 
-#include <QScrollArea>
 #include <functional>
 #include <vector>
+
+#include "gui/widgets/form_scroll.h"
 
 namespace glint {
 
@@ -13,7 +14,7 @@ class FormBuilder;
 class Selection;
 struct Scene;
 
-class PropertyPanel : public QScrollArea {
+class PropertyPanel : public FormScroll {
     Q_OBJECT
 
   public:

@@ -72,7 +72,7 @@ void DragNumber::showValue() {
 }
 
 QSize DragNumber::minimumSizeHint() const {
-    return {fontMetrics().horizontalAdvance("-0.00") + 12, QLineEdit::minimumSizeHint().height()};
+    return {fontMetrics().horizontalAdvance("0.00") + 10, QLineEdit::minimumSizeHint().height()};
 }
 
 QSize DragNumber::sizeHint() const {

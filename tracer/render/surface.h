@@ -61,9 +61,11 @@ struct SurfacePoint {
     DVec3 wo = out.frame.toLocal(-ray.direction);
     out.outside = wo.z > 0;
     if (instance.dielectric) {
-        // The tracked side is the truth; at grazing angles rounding may have put the direction on the other.
+        // The tracked side is the truth; at grazing angles rounding may have put the direction on the other, or in between:
+        // its sign tells every BSDF the side, so it must have one.
         out.outside = !media.contains(hit.shape);
-        if (out.outside != (wo.z > 0)) wo.z = -wo.z;
+        constexpr double kLeast = 0x1p-53;  // one rounding of a unit vector
+        wo.z = std::copysign(std::max(std::abs(wo.z), kLeast), out.outside ? 1.0 : -1.0);
         MediaStack beyond = media;
         beyond.cross(hit.shape);
         const std::uint32_t here = fillingShape(scene, media), there = fillingShape(scene, beyond);
