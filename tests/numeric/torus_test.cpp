@@ -48,7 +48,7 @@ void expectTori(std::uint64_t count) {
 }
 
 TEST(Torus, HitsAgreeWithQuadPrecision) { expectTori(400); }
-TEST_F(TorusFull, HitsAgreeWithQuadPrecision) { expectTori(10'000'000 / 24); }
+TEST_F(TorusFull, HitsAgreeWithQuadPrecision) { expectTori(2'000'000 / 24); }
 
 /// The crossings of a line, and the ray that starts at one of them.
 Tally continueFromTori(std::uint64_t count, double ratio) {
@@ -103,7 +103,7 @@ void expectContinuations(std::uint64_t count) {
 }
 
 TEST(Torus, RaysFromItsSurfaceFindTheNextCrossing) { expectContinuations(600); }
-TEST_F(TorusFull, RaysFromItsSurfaceFindTheNextCrossing) { expectContinuations(10'000'000 / 6); }
+TEST_F(TorusFull, RaysFromItsSurfaceFindTheNextCrossing) { expectContinuations(1'000'000 / 6); }
 
 TEST(Torus, ASpindleHasNoSurfaceWithin) {
     const CanonicalTorus apple{1.5};
