@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/app/actions.h"
 
@@ -22,6 +23,12 @@ bool matches(const QString& text, const QString& wanted) {
         if (at == 0) return false;
     }
     return true;
+}
+
+/// Names that begin with the text come first, then those that hold it, then the rest.
+int rankOf(const QString& name, const QString& text) {
+    if (name.startsWith(text, Qt::CaseInsensitive)) return 0;
+    return name.contains(text, Qt::CaseInsensitive) ? 1 : 2;
 }
 
 }  // namespace
@@ -54,15 +61,19 @@ void CommandSearch::open() {
 
 void CommandSearch::filter(const QString& text) {
     list_->clear();
-    for (QAction* action : actions_.all()) {
+    std::vector<QAction*> found;
+    for (QAction* action : actions_.all())
+        if (action->isEnabled() && matches(plainText(action) + ' ' + Actions::groupOf(action) + ' ' + action->statusTip(), text))
+            found.push_back(action);
+    std::stable_sort(found.begin(), found.end(), [&](const QAction* a, const QAction* b) {
+        return rankOf(plainText(a), text) < rankOf(plainText(b), text);
+    });
+    for (QAction* action : found) {
         const QString name = plainText(action);
-        if (!action->isEnabled() || !matches(name + ' ' + Actions::groupOf(action) + ' ' + action->statusTip(), text)) continue;
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         auto* item = new QListWidgetItem(action->icon(), keys.isEmpty() ? name : QStringLiteral("%1   (%2)").arg(name, keys), list_);
         item->setToolTip(action->statusTip());
         item->setData(Qt::UserRole, QVariant::fromValue(action));
-        // Matches in the name itself come first.
-        if (!text.isEmpty() && name.contains(text, Qt::CaseInsensitive)) list_->insertItem(0, list_->takeItem(list_->row(item)));
     }
     list_->setCurrentRow(0);
 }

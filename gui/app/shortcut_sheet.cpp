@@ -16,7 +16,7 @@ using Rows = std::vector<std::pair<QString, QString>>;
 QString table(const QString& title, const Rows& rows) {
     QString out = QStringLiteral("<h3>%1</h3><table cellspacing='0' cellpadding='2'>").arg(title.toHtmlEscaped());
     for (const auto& [what, keys] : rows)
-        out += QStringLiteral("<tr><td width='230'>%1</td><td><b>%2</b></td></tr>").arg(what.toHtmlEscaped(), keys.toHtmlEscaped());
+        out += QStringLiteral("<tr><td width='300'>%1</td><td><b>%2</b></td></tr>").arg(what.toHtmlEscaped(), keys.toHtmlEscaped());
     return out + QStringLiteral("</table>");
 }
 
@@ -59,7 +59,7 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent) : QDialog(
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scroll);
-    resize(fontMetrics().averageCharWidth() * 90, fontMetrics().height() * 40);
+    resize(fontMetrics().averageCharWidth() * 125, fontMetrics().height() * 40);
 }
 
 }  // namespace glint
