@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "tests/support/paths.h"
 #include "tests/support/quad_math.h"
 #include "tests/support/scenes.h"
 
@@ -31,7 +32,7 @@ struct Answer {
 };
 Answer answerTo(const Scene& scene) {
     AssetCache assets;
-    const auto compiled = compile(scene, GLINT_SOURCE_DIR "/scenes", assets);
+    const auto compiled = compile(scene, test::inSource("scenes"), assets);
     Answer out;
     if (!compiled.ok()) {
         out.text = compiled.error().text();

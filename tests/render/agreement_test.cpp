@@ -2,6 +2,7 @@
 // and every combination of them.
 #include <gtest/gtest.h>
 
+#include "tests/support/paths.h"
 #include "tests/support/scenes.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/ztest.h"
@@ -141,7 +142,7 @@ std::string unevenSky(const test::TempFolder& folder) {
 }
 
 TEST(Strategies, AllGiveTheClosedFormUnderABall) {  // A15
-    const Result<Scene> loaded = loadScene(GLINT_SOURCE_DIR "/scenes/verify/strategies.json");
+    const Result<Scene> loaded = loadScene(test::inSource("scenes/verify/strategies.json"));
     ASSERT_TRUE(loaded) << loaded.error().text();
     SceneBuilder b;
     b.scene() = loaded.value();

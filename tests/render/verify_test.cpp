@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/paths.h"
 #include "tests/support/scenes.h"
 #include "tests/support/temp_folder.h"
 #include "tracer/io/image_file.h"
@@ -140,7 +141,7 @@ json verifyBlock(const Scene& scene) {
 /// name.
 std::vector<std::string> verifyScenes() {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(GLINT_SOURCE_DIR "/scenes/verify")) {
+    for (const auto& entry : fs::directory_iterator(test::inSource("scenes/verify"))) {
         if (entry.path().extension() != ".json") continue;
         const Result<Scene> scene = loadScene(entry.path());
         if (!scene || !verifyBlock(scene.value()).is_null())
@@ -162,7 +163,7 @@ class Verify : public testing::TestWithParam<std::string> {
   protected:
     void SetUp() override {
         const Result<Scene> loaded =
-            loadScene(fs::path(GLINT_SOURCE_DIR "/scenes/verify") / (GetParam() + ".json"));
+            loadScene(test::inSource("scenes/verify") / (GetParam() + ".json"));
         ASSERT_TRUE(loaded) << loaded.error().text();
         scene_ = loaded.value();
         block_ = verifyBlock(scene_);

@@ -1,3 +1,4 @@
+#include "tests/support/paths.h"
 #include "tests/support/scenes.h"
 
 #include <cmath>
@@ -41,7 +42,7 @@ void SceneBuilder::film(int width, int height, int spp) {
 
 std::shared_ptr<const RenderScene> SceneBuilder::compile() const {
     AssetCache assets;
-    auto compiled = glint::compile(scene_, GLINT_SOURCE_DIR "/scenes", assets);
+    auto compiled = glint::compile(scene_, inSource("scenes"), assets);
     EXPECT_TRUE(compiled.ok());
     return compiled.value().scene;
 }

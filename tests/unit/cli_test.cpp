@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "tests/support/paths.h"
 #include "tests/support/temp_folder.h"
 #include "tracer/io/film_exr.h"
 #include "tracer/io/image_file.h"
@@ -51,13 +52,13 @@ class Cli : public testing::Test {
                                          O_WRONLY | O_CREAT | O_TRUNC, 0600);
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "stderr",
                                          O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        std::vector<std::string> words{GLINT_RENDER_PATH};
+        std::vector<std::string> words{test::renderProgram()};
         words.insert(words.end(), arguments.begin(), arguments.end());
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
         pid_t pid = -1;
-        EXPECT_EQ(posix_spawn(&pid, GLINT_RENDER_PATH, &actions, nullptr, argv.data(), environ), 0);
+        EXPECT_EQ(posix_spawn(&pid, words.front().c_str(), &actions, nullptr, argv.data(), environ), 0);
         posix_spawn_file_actions_destroy(&actions);
         return pid;
     }

@@ -1,4 +1,5 @@
 // The pictures in resources/env: what the generator promises of them.
+#include "tests/support/paths.h"
 #include "tracer/cli/environments.h"
 
 #include <gtest/gtest.h>
@@ -134,7 +135,7 @@ TEST(Environments, OvercastZenithIsThreeTimesTheHorizon) {
 }
 
 TEST(Environments, CommittedStudioIsWhatTheProgramMakes) {
-    const Result<ExrFile> file = loadExr(GLINT_SOURCE_DIR "/resources/env/studio.exr");
+    const Result<ExrFile> file = loadExr(test::inSource("resources/env/studio.exr"));
     ASSERT_TRUE(file) << file.error().text();
     const Image made = makeStudio(kEnvironmentWidth);
     ASSERT_EQ(file.value().width, made.width);

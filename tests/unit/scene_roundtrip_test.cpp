@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "tests/support/paths.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/schema_check.h"
 #include "tests/support/temp_folder.h"
@@ -94,7 +95,7 @@ TEST(SceneSchema, RejectsWhatTheReaderRejects) {
 }
 
 TEST(SceneSchema, InResourcesIsUpToDate) {
-    EXPECT_TRUE(test::fileContent(GLINT_SOURCE_DIR "/resources/scene.schema.json") == sceneSchema())
+    EXPECT_TRUE(test::fileContent(test::inSource("resources/scene.schema.json")) == sceneSchema())
         << "write it anew: glint-render --schema > resources/scene.schema.json";
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/paths.h"
 #include "tracer/io/scene_json.h"
 
 namespace glint {
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> sceneFiles() {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(GLINT_SOURCE_DIR "/scenes"))
+    for (const auto& entry : fs::recursive_directory_iterator(test::inSource("scenes")))
         if (entry.path().extension() == ".json") files.push_back(entry.path());
     return files;
 }
@@ -43,7 +44,7 @@ TEST(Scenes, SurviveFormattingAndParsing) {
 }
 
 TEST(Scenes, ReportHoldsEveryEffectOfTheReport) {
-    const Result<Scene> loaded = loadScene(GLINT_SOURCE_DIR "/scenes/report.json");
+    const Result<Scene> loaded = loadScene(test::inSource("scenes/report.json"));
     ASSERT_TRUE(loaded) << loaded.error().text();
     const Scene& scene = loaded.value();
 
