@@ -2,15 +2,14 @@
 
 #include <embree3/rtcore.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <ctime>
-#include <fstream>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <vector>
 
+#include "tests/bench/clock.h"
+#include "tests/bench/output.h"
+#include "tests/bench/statistics.h"
 #include "tests/support/scalar_lists.h"
 #include "tracer/math/transform.h"
 #include "tracer/math/warp.h"
@@ -142,13 +141,6 @@ class EmbreePoints {
     RTCScene scene_;
 };
 
-/// Processor time of this thread: what other programs take does not count.
-double threadSeconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// One way to ask, and what it took.
 struct Contender {
     std::string name;
@@ -157,18 +149,14 @@ struct Contender {
     std::vector<double> raysASecond = {};
     std::size_t hits = 0;
 
-    [[nodiscard]] double median() const {
-        std::vector<double> sorted = raysASecond;
-        std::sort(sorted.begin(), sorted.end());
-        return sorted[sorted.size() / 2];
-    }
+    [[nodiscard]] double median() const { return bench::median(raysASecond); }
     void run() {
-        const double begin = threadSeconds();
+        const Stopwatch watch;
         std::size_t rounds = 0;
         double seconds = 0;
         for (; seconds < kSecondsARun; ++rounds) {
             hits = traceAll();
-            seconds = threadSeconds() - begin;
+            seconds = watch.threadSeconds();
         }
         raysASecond.push_back(static_cast<double>(rounds * kRays) / seconds);
     }
@@ -184,10 +172,10 @@ Contender contender(std::string name, const std::vector<BenchRay>& rays, Trace t
 }
 
 void report(const std::string& what, std::size_t count, std::vector<Contender>& contenders,
-            nlohmann::json& rows) {
+            Json& rows) {
     for (int run = 0; run < kRuns; ++run)
         for (Contender& c : contenders) c.run();
-    nlohmann::json row{{"shapes", what}, {"count", count}};
+    Json row{{"shapes", what}, {"count", count}};
     std::printf("%-16s %8zu", what.c_str(), count);
     for (const Contender& c : contenders) {
         std::printf("  %s %7.2f M/s", c.name.c_str(), c.median() * 1e-6);
@@ -204,7 +192,7 @@ void report(const std::string& what, std::size_t count, std::vector<Contender>& 
 }
 
 void measure(const std::string& kind, std::size_t count, const std::vector<BenchRay>& rays,
-             nlohmann::json& rows) {
+             Json& rows) {
     const std::vector<ShapeInstance> shapes = makeShapes(count, kind == "mixed");
     const ShapeLists lists(shapes);
     const test::ScalarLists scalar(shapes);
@@ -231,20 +219,23 @@ void measure(const std::string& kind, std::size_t count, const std::vector<Bench
     report(kind + " occluded", count, occluded, rows);
 }
 
-}  // namespace
-
 int runRays(const std::string& jsonFile) {
+    if (!canWrite(jsonFile)) return kCannotWrite;
     const std::vector<BenchRay> rays = makeRays();
-    nlohmann::json rows = nlohmann::json::array();
+    Json rows = Json::array();
     for (const char* kind : {"balls", "mixed"})
         for (const std::size_t count : {1, 2, 3, 4, 8, 16, 64, 128, 129, 1000, 100000})
             measure(kind, count, rays, rows);
-    if (jsonFile.empty()) return 0;
-    std::ofstream out(jsonFile);
-    out << rows.dump(2) << '\n';
-    if (out.good()) return 0;
-    std::fprintf(stderr, "cannot write %s\n", jsonFile.c_str());
-    return 1;
+    return writeJson(jsonFile, rows) ? kOk : kCannotWrite;
+}
+
+}  // namespace
+
+Command raysCommand(CLI::App& root) {
+    CLI::App* app = root.add_subcommand("rays", "Rays a second on one thread against Embree's sphere points");
+    auto json = std::make_shared<std::string>();
+    app->add_option("--json", *json, "Write the figures to this file as JSON");
+    return {app, [json] { return runRays(*json); }};
 }
 
 }  // namespace glint::bench

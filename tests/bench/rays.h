@@ -2,12 +2,10 @@
 // sphere points and against the plain double loop. Same rays, same process, interleaved.
 #pragma once
 
-#include <string>
+#include "tests/bench/command.h"
 
 namespace glint::bench {
 
-/// Prints a table and, if `jsonFile` is not empty, writes it there as JSON. Answers with the exit
-/// code.
-int runRays(const std::string& jsonFile);
+[[nodiscard]] Command raysCommand(CLI::App& root);
 
 }  // namespace glint::bench

@@ -1,0 +1,54 @@
+#include <chrono>
+
+#include "tests/bench/clock.h"
+#include "tests/bench/peers/renderers.h"
+#include "tracer/compile/compiler.h"
+#include "tracer/compile/render_scene.h"
+#include "tracer/render/render.h"
+
+namespace glint::bench {
+
+namespace {
+
+class GlintRenderer final : public Renderer {
+  public:
+    GlintRenderer(PeerScene peer, double setupSeconds) : peer_(std::move(peer)), setupSeconds_(setupSeconds) {}
+
+    Status prepare() {
+        const Stopwatch watch;
+        Result<Compiled> compiled = compile(peer_.scene, peer_.folder, assets_);
+        if (!compiled) return compiled.error();
+        compiled_ = compiled.value().scene;
+        for (const CompileWarning& warning : compiled.value().warnings) notes_.push_back(warning.error.text());
+        setupSeconds_ += watch.wallSeconds();
+        return Done{};
+    }
+    Result<TimedPicture> render(int spp, int seed) override {
+        auto scene = std::make_shared<RenderScene>(*compiled_);
+        scene->settings.spp = spp;
+        scene->settings.seed = seed;
+        const Stopwatch watch;
+        Rendering rendering = glint::render(scene, {.threads = peer_.threads});
+        return TimedPicture{std::move(rendering.beauty), rendering.seconds, watch.processSeconds()};
+    }
+    [[nodiscard]] double setupSeconds() const override { return setupSeconds_; }
+    [[nodiscard]] std::vector<std::string> notes() const override { return notes_; }
+
+  private:
+    PeerScene peer_;
+    AssetCache assets_;
+    std::shared_ptr<const RenderScene> compiled_;
+    std::vector<std::string> notes_;
+    double setupSeconds_ = 0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Renderer>> startGlint(const PeerScene& scene) {
+    auto renderer = std::make_unique<GlintRenderer>(scene, 0.0);
+    const Status ready = renderer->prepare();
+    if (!ready) return ready.error();
+    return std::unique_ptr<Renderer>(std::move(renderer));
+}
+
+}  // namespace glint::bench
