@@ -95,7 +95,7 @@ Result<std::unique_ptr<Renderer>> startCycles(const PeerScene& scene) {
     if (!out.flush()) return Error{"cannot write", file.string(), 0, 0, {}, {}};
     Result<Process> process = Process::start({"blender", "-b", "--factory-startup", "--debug-cycles", "--python-exit-code", "1", "--python",
                                               GLINT_SOURCE_DIR "/tests/bench/peers/cycles_scene.py", "--", file.string(),
-                                              std::to_string(scene.threads)});
+                                              std::to_string(scene.threads), scene.exact ? "exact" : "fast"});
     if (!process) return process.error();
     auto renderer = std::make_unique<CyclesRenderer>(std::move(process).value(), scene.folder);
     const Status ready = renderer->prepare();

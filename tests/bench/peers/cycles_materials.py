@@ -4,7 +4,6 @@ because the physics does."""
 import bpy
 
 NOTES = set()
-MICROFACETS = "GGX"  # Set to MULTI_GGX to keep the energy of rough surfaces, as Glint does; slower.
 
 
 def note(text):
@@ -61,8 +60,10 @@ class Graph:
 
 
 class Materials:
-    def __init__(self, scene):
+    def __init__(self, scene, exact):
+        """`exact`: rough surfaces keep their energy, as Glint's do, at Cycles' price for it."""
         self.documents = {m["name"]: m for m in scene.get("materials", [])}
+        self.microfacets = "MULTI_GGX" if exact else "GGX"
         self.made = {}
 
     def get(self, name, emission, two_sided, camera_only=False):
@@ -125,6 +126,13 @@ class Materials:
         document = self.documents[name]
         return getattr(self, document["type"])(graph, document)
 
+    def distribution(self, m):
+        return self.microfacets if m["roughness"] > 0 else "SHARP"
+
+    def note_loss(self, m):
+        if m["roughness"] > 0 and self.microfacets == "GGX":
+            note("light lost between the microfacets of rough surfaces stays lost")
+
     def diffuse(self, graph, m):
         return graph.shader("BsdfDiffuse", {"Color": rgba(m["color"])})
 
@@ -132,21 +140,19 @@ class Materials:
         return graph.shader("BsdfGlossy", {"Color": rgba(m["color"]), "Roughness": 0.0}, distribution="SHARP")
 
     def metal(self, graph, m):
-        note("metal: Schlick's Fresnel curve follows a dielectric's, and light lost between microfacets stays lost")
-        distribution = "GGX" if MICROFACETS == "GGX" else "MULTI_GGX"
+        note("metal: its Fresnel curve follows a dielectric's instead of Schlick's")
+        self.note_loss(m)
         inputs = {"Base Color": rgba(m["color"]), "Metallic": 1.0, "Roughness": m["roughness"]}
-        return graph.shader("BsdfPrincipled", inputs, distribution=distribution)
+        return graph.shader("BsdfPrincipled", inputs, distribution=self.microfacets)
 
     def glass(self, graph, m):
         if m["priority"] != 0:
             note("glass: priorities are not known, overlapping glasses show all their boundaries")
         if m["thin"]:
             return self.sheet(graph, m)
-        if m["roughness"] > 0:
-            note("rough glass: light lost between microfacets stays lost")
-        distribution = MICROFACETS if m["roughness"] > 0 else "SHARP"
+        self.note_loss(m)
         return graph.shader("BsdfGlass", {"Color": (1, 1, 1, 1), "Roughness": m["roughness"], "IOR": m["ior"]},
-                            distribution=distribution)
+                            distribution=self.distribution(m))
 
     def sheet(self, graph, m):
         """All inner reflections of a thin sheet: 2F / (1 + F) is reflected, the rest goes straight on."""
@@ -155,7 +161,7 @@ class Materials:
         fresnel = graph.sheet_fresnel(m["ior"])
         share = graph.math("DIVIDE", graph.math("MULTIPLY", fresnel, 2.0), graph.math("ADD", fresnel, 1.0))
         reflection = graph.shader("BsdfGlossy", {"Color": (1, 1, 1, 1), "Roughness": m["roughness"]},
-                                  distribution=MICROFACETS if m["roughness"] > 0 else "SHARP")
+                                  distribution=self.distribution(m))
         return graph.mix(share, graph.shader("BsdfTransparent"), reflection)
 
     def translucent(self, graph, m):
@@ -165,7 +171,7 @@ class Materials:
     def glossy(self, graph, m):
         note("glossy: a mix by Fresnel's law, whose base ignores the angle at which light leaves the coat")
         coat = graph.shader("BsdfGlossy", {"Color": (1, 1, 1, 1), "Roughness": m["roughness"]},
-                            distribution=MICROFACETS if m["roughness"] > 0 else "SHARP")
+                            distribution=self.distribution(m))
         base = graph.shader("BsdfDiffuse", {"Color": rgba(m["color"])})
         return graph.mix(graph.sheet_fresnel(m["ior"]), base, coat)
 

@@ -1,6 +1,6 @@
 """Builds one Glint scene in Blender and renders it with Cycles on request.
 
-Run by glint-bench: blender -b --factory-startup --debug-cycles --python cycles_scene.py -- SCENE.json
+Run by glint-bench: blender -b --factory-startup --debug-cycles --python cycles_scene.py -- SCENE.json THREADS fast|exact
 SCENE.json is a scene with every default written, every transform a matrix, no groups and absolute paths (peer_scene.h).
 Requests are JSON lines on standard input, {"spp": 64, "seed": 1, "output": "picture.exr"}; each is answered on standard
 output by a line "GLINT {...}" with times in seconds. Start reading at main(). Materials are in cycles_materials.py, meshes in
@@ -76,15 +76,16 @@ def has_right_angles(matrix):
 class Objects:
     """Adds each object in the way that Cycles renders best: see add()."""
 
-    def __init__(self, scene):
-        self.materials = cycles_materials.Materials(scene)
+    def __init__(self, scene, exact):
+        self.exact = exact
+        self.materials = cycles_materials.Materials(scene, exact)
         self.meshes = cycles_meshes.Meshes(scene)
         self.opaque = self.materials.opaque
 
     def add(self, item):
         """Opaque balls become points, which Cycles renders as true spheres. Emissive balls, quads and disks become lamps, which
-        it samples by solid angle (emissive meshes it samples by area), behind a black body that only the camera sees glow.
-        All else becomes a mesh."""
+        it samples by solid angle (emissive meshes it samples by area), with a body that only the camera sees glow, as lamps
+        are invisible to it. All else becomes a mesh, and with `exact` all that emits."""
         matrix = matrix_of(item)
         emission = item["emission"]
         if is_black(emission):
@@ -92,7 +93,7 @@ class Objects:
                 self.add_point(item, matrix)
             else:
                 link(item["name"], self.mesh(item, emission), matrix @ self.meshes.local(item["shape"]))
-        elif not item.get("material") and self.add_lamp(item, matrix):
+        elif not self.exact and not item.get("material") and self.add_lamp(item, matrix):
             self.add_lamp_body(item, matrix)
         else:
             link(item["name"], self.mesh(item, emission), matrix @ self.meshes.local(item["shape"]))
@@ -127,7 +128,7 @@ class Objects:
             lamp.shape = "RECTANGLE" if kind == "quad" else "ELLIPSE"
             lamp.size, lamp.size_y = width * x, depth * z
             area = lamp.size * lamp.size_y * (1 if kind == "quad" else math.pi / 4)
-            lamp.energy = strength * math.pi * area
+            lamp.energy = strength * 4 * area  # Blender's watts of area lamps are not those of a Lambertian emitter.
             axis = matrix.to_3x3() @ Vector((0, 1, 0))
             places = [look_along(matrix.to_translation(), way, matrix.to_3x3() @ Vector((0, 0, 1)))
                       for way in ([axis, -axis] if item["two_sided"] else [axis])]
@@ -139,17 +140,18 @@ class Objects:
         return True
 
     def add_lamp_body(self, item, matrix):
-        """Blocks the light of others and is what the camera sees: lamps are invisible to it. It stands a hair behind the lamp."""
+        """What the camera sees of a lamp. Behind a lamp that shines to one side it is black and blocks what comes from there."""
         shape = item["shape"]
-        body = matrix @ self.meshes.local(shape)
-        if shape["type"] == "sphere":
-            body = body @ Matrix.Scale(0.999, 4)
-        elif not item["two_sided"]:
+        place = matrix @ self.meshes.local(shape)
+        blocks = shape["type"] != "sphere" and not item["two_sided"]
+        if blocks:
             axis = (matrix.to_3x3() @ Vector((0, 1, 0))).normalized()
-            body = Matrix.Translation(-1e-4 * body.to_3x3().transposed()[0].length * axis) @ body
-        else:
-            return  # A body between the two lamps would hide one of them from its own side.
-        link(item["name"] + " body", self.mesh(item, item["emission"], camera_only=True), body)
+            place = Matrix.Translation(-1e-4 * place.to_3x3().transposed()[0].length * axis) @ place
+        body = link(item["name"] + " body", self.mesh(item, item["emission"], camera_only=True), place)
+        if not blocks:
+            body.visible_diffuse = body.visible_glossy = body.visible_transmission = body.visible_shadow = False
+        if shape["type"] == "sphere":
+            cycles_materials.note("ball lamps are disks that face what they light, and block no other light")
 
 
 def point_nodes(radius, material):
@@ -269,13 +271,13 @@ def set_render(film, max_depth, threads):
     cycles.volume_bounces, cycles.transparent_max_bounces = 0, max(8, max_depth)
 
 
-def build(scene, threads):
+def build(scene, threads, exact):
     for thing in list(bpy.data.objects):
         bpy.data.objects.remove(thing)
     set_render(scene["film"], scene["render"]["max_depth"], threads)
     set_camera(scene["camera"])
     set_environment(scene["environment"])
-    objects = Objects(scene)
+    objects = Objects(scene, exact)
     for item in scene.get("objects", []):
         objects.add(item)
     for item in scene.get("lights", []):
@@ -304,7 +306,7 @@ def main():
     with open(arguments[0], encoding="utf-8") as file:
         scene = json.load(file)
     started = time.perf_counter()
-    build(scene, int(arguments[1]))
+    build(scene, int(arguments[1]), arguments[2] == "exact")
     answer({"build": time.perf_counter() - started, "notes": sorted(cycles_materials.NOTES)})
     for line in sys.stdin:
         answer(render(json.loads(line)))

@@ -62,7 +62,7 @@ Status flattenEnvironment(Scene& scene, const fs::path& sceneFolder, const fs::p
 Result<PeerScene> loadPeerScene(const fs::path& file, int width, int threads, const fs::path& folder) {
     Result<Scene> loaded = loadScene(file);
     if (!loaded) return loaded.error();
-    PeerScene out{file.stem().string(), std::move(loaded).value(), threads, fs::absolute(folder)};
+    PeerScene out{file.stem().string(), std::move(loaded).value(), threads, false, fs::absolute(folder)};
     Scene& scene = out.scene;
     const double shape = static_cast<double>(scene.film.height) / scene.film.width;
     scene.film = {width, std::max(1, static_cast<int>(std::lround(width * shape))), Filter::Box, 0.5};

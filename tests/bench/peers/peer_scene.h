@@ -16,6 +16,7 @@ struct PeerScene {
     std::string name;     ///< the file's, without its ending
     Scene scene;          ///< no groups, nothing hidden, every transform a matrix, one camera, a box filter, absolute paths; a computed sky is a picture
     int threads = 2;
+    bool exact = false;   ///< peers are set up for the same picture, where that is dearer than the fastest similar one
     std::filesystem::path folder;  ///< for files of this scene
 };
 

@@ -23,6 +23,7 @@ struct PeersOptions {
     int threads = 2;
     int runs = 5;
     double seconds = 1;
+    bool exact = false;
     double referenceFactor = 100;
     std::string json, pictures, cache = usualCacheFolder().string();
 };
@@ -87,7 +88,8 @@ class SceneComparison {
             c.spp = spp.value();
             const int referenceSpp = 1 << static_cast<int>(std::ceil(std::log2(c.spp * options_.referenceFactor / kReferenceRenders)));
             const ReferenceCache cache(options_.cache);
-            const std::string key = format("%s-%s-%s-%dspp", scene_.name.c_str(), sceneHash(scene_.scene).c_str(), c.name.c_str(), referenceSpp);
+            const std::string key = format("%s-%s-%s%s-%dspp", scene_.name.c_str(), sceneHash(scene_.scene).c_str(), c.name.c_str(),
+                                           scene_.exact ? "-exact" : "", referenceSpp);
             Result<Reference> reference = cache.get(key, [&] { return makeReference(*c.renderer, referenceSpp); });
             if (!reference) return reference.error();
             c.reference = std::move(reference).value();
@@ -116,13 +118,20 @@ class SceneComparison {
 
 /// What one comparison of Glint with one peer says.
 struct Verdict {
-    Ratio wall, cpu;  ///< of efficiency
+    bool noisy = false;  ///< both are; else there is no efficiency
+    Ratio wall, cpu;     ///< of efficiency
     PictureDifference difference;
 };
 
 Verdict judge(const Contender& glint, const Contender& peer) {
-    return {pairedRatio(glint.efficiency(glint.wall), peer.efficiency(peer.wall)),
-            pairedRatio(glint.efficiency(glint.cpu), peer.efficiency(peer.cpu)), pictureDifference(peer.reference, glint.reference)};
+    Verdict out;
+    out.noisy = meanInterval(glint.relMse).mean > 0 && meanInterval(peer.relMse).mean > 0;
+    if (out.noisy) {
+        out.wall = pairedRatio(glint.efficiency(glint.wall), peer.efficiency(peer.wall));
+        out.cpu = pairedRatio(glint.efficiency(glint.cpu), peer.efficiency(peer.cpu));
+    }
+    out.difference = pictureDifference(peer.reference, glint.reference);
+    return out;
 }
 
 Json toJson(const Ratio& ratio) { return {{"value", ratio.value}, {"low", ratio.low}, {"high", ratio.high}}; }
@@ -170,7 +179,9 @@ class PeersBench {
         for (const std::string& file : options_.files) {
             Result<PeerScene> scene = loadPeerScene(file, options_.width, options_.threads, folder_);
             if (!scene) return complain(scene.error(), kBadScene);
-            SceneComparison comparison(options_, std::move(scene).value());
+            PeerScene peer = std::move(scene).value();
+            peer.exact = options_.exact;
+            SceneComparison comparison(options_, std::move(peer));
             if (Status added = comparison.add("glint", startGlint(comparison.scene())); !added) return complain(added.error(), kBadScene);
             if (Status added = comparison.add("cycles", startCycles(comparison.scene())); !added) return complain(added.error(), kFailed);
             if (Status measured = comparison.measure(); !measured) return complain(measured.error(), kFailed);
@@ -192,14 +203,21 @@ class PeersBench {
             return format("%s: %d spp, setup %.2f s, %.2f s (processor %.2f s), relMSE %.2e", c.name.c_str(), c.spp, c.renderer->setupSeconds(), median(c.wall),
                           median(c.cpu), meanInterval(c.relMse).mean);
         };
-        std::printf("%s\n  %s\n  %s\n  efficiency ratio %.2f (95 %% %.2f to %.2f), by processor time %.2f; pictures: mean %+.2f %%, rms %.2f %% (noise %.2f %%)\n",
-                    comparison.scene().name.c_str(), side(glint).c_str(), side(peer).c_str(), verdict.wall.value, verdict.wall.low, verdict.wall.high,
-                    verdict.cpu.value, 100 * (verdict.difference.meanRatio - 1), 100 * verdict.difference.rms, 100 * verdict.difference.rmsNoise);
+        std::printf("%s\n  %s\n  %s\n", comparison.scene().name.c_str(), side(glint).c_str(), side(peer).c_str());
+        if (verdict.noisy)
+            std::printf("  efficiency ratio %.2f (95 %% %.2f to %.2f), by processor time %.2f (95 %% %.2f to %.2f)\n", verdict.wall.value, verdict.wall.low,
+                        verdict.wall.high, verdict.cpu.value, verdict.cpu.low, verdict.cpu.high);
+        else
+            std::printf("  no efficiency: a picture without noise\n");
+        std::printf("  pictures: mean %+.2f %%, rms %.2f %% (noise %.2f %%)\n", 100 * (verdict.difference.meanRatio - 1), 100 * verdict.difference.rms,
+                    100 * verdict.difference.rmsNoise);
         for (const std::string& note : peer.renderer->notes()) std::printf("  note: %s\n", note.c_str());
         std::fflush(stdout);
-        wall_.push_back(verdict.wall.value);
-        cpu_.push_back(verdict.cpu.value);
-        names_.push_back(comparison.scene().name);
+        if (verdict.noisy) {
+            wall_.push_back(verdict.wall.value);
+            cpu_.push_back(verdict.cpu.value);
+            names_.push_back(comparison.scene().name);
+        }
         json_["scenes"].push_back({{"scene", comparison.scene().name}, {"glint", toJson(glint)}, {"cycles", toJson(peer)},
                                    {"efficiency_ratio_wall", toJson(verdict.wall)}, {"efficiency_ratio_cpu", toJson(verdict.cpu)},
                                    {"picture_mean_ratio", verdict.difference.meanRatio}, {"picture_rms_difference", verdict.difference.rms},
@@ -207,6 +225,7 @@ class PeersBench {
     }
 
     void summarize() {
+        if (cpu_.empty()) return;
         const auto worst = static_cast<std::size_t>(std::min_element(cpu_.begin(), cpu_.end()) - cpu_.begin());
         std::printf("\nefficiency ratio to Cycles: geometric mean %.2f, by processor time %.2f; worst %.2f (%s)\n", geometricMean(wall_), geometricMean(cpu_),
                     cpu_[worst], names_[worst].c_str());
@@ -232,6 +251,7 @@ Command peersCommand(CLI::App& root) {
     app->add_option("--runs", options->runs, "Renders of each, in turn, each with its own seed")->check(CLI::Range(1, 1000));
     app->add_option("--seconds", options->seconds, "Processor time of one render, about")->check(CLI::Range(0.01, 3600.0));
     app->add_option("--reference", options->referenceFactor, "Samples of the references, in multiples of a render's")->check(CLI::Range(1.0, 1e6));
+    app->add_flag("--exact", options->exact, "Set Cycles up for the same picture (emissive meshes, energy kept between microfacets), not for speed");
     app->add_option("--cache", options->cache, "Folder where references are kept")->capture_default_str();
     app->add_option("--pictures", options->pictures, "Folder for the references as EXR, to look at");
     app->add_option("--json", options->json, "Write the figures to this file as JSON");
