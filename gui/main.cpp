@@ -6,7 +6,6 @@
 #include "gui/app/file_controller.h"
 #include "gui/app/main_window.h"
 #include "gui/app/text.h"
-#include "gui/app/theme.h"
 
 namespace {
 
@@ -35,7 +34,6 @@ int main(int argc, char** argv) {
     }
     parser.process(app);
 
-    glint::applyTheme(glint::Theme::Dark);
     const bool visit = parser.isSet(screenshot);
     glint::MainWindow window(visit ? glint::Memory::None : glint::Memory::Settings);
     const QStringList wanted = parser.value(size).split('x');

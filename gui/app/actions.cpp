@@ -42,6 +42,7 @@ constexpr ActionRow kRows[] = {
     {"edit.showAll", T("&Show all"), "Alt+H", "eye", T("Show everything that is hidden")},
     {"edit.group", T("&Group"), "Ctrl+G", "group", T("Put the selection into a new group")},
     {"edit.ungroup", T("U&ngroup"), "Ctrl+Shift+G", "", T("Dissolve the selected groups")},
+    {"edit.preferences", T("Pre&ferences…"), "Ctrl+,", "settings", T("Theme, language, threads, navigation, shortcuts")},
 
     {"tool.select", T("&Select"), "Q", "select", T("Select only"), true},
     {"tool.move", T("&Move"), "W", "move", T("Move the selection"), true},

@@ -22,6 +22,7 @@
 #include "gui/app/export_dialog.h"
 #include "gui/app/export_queue.h"
 #include "gui/app/file_controller.h"
+#include "gui/app/preferences_dialog.h"
 #include "gui/app/renderer.h"
 #include "gui/app/shortcut_sheet.h"
 #include "gui/app/text.h"
@@ -40,18 +41,35 @@
 
 namespace glint {
 
-MainWindow::MainWindow(Memory memory, QWidget* parent) : QMainWindow(parent), memory_(memory), selection_(document_) {
+MainWindow::MainWindow(Memory memory, QWidget* parent)
+    : QMainWindow(parent), memory_(memory), preferences_(memory), selection_(document_) {
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     document_.replace(starterScene(), {});
     renderer_ = new Renderer(document_, this);
-    actions_ = new Actions(this);
     buildCenter();
     viewCommands_ = new ViewCommands(*view_, this);
     edits_ = new EditController(document_, selection_, *view_, this);
     files_ = new FileController(document_, *messages_, memory_, this);
     exports_ = new ExportQueue(*messages_, this);
+    connectSavedViews();
+    connect(&document_, &Document::titleChanged, this, &MainWindow::updateTitle);
+    connect(&preferences_, &Preferences::changed, this, &MainWindow::applyPreferences);
+    applyTheme(preferences_.values().theme);
+    applyLanguage(preferences_.values().language);
+    applyPreferences(preferences_.values());
+    buildInterface();
+    if (memory_ == Memory::None) return;
+    QSettings settings;
+    restoreGeometry(settings.value("geometry").toByteArray());
+    restoreState(settings.value("layout").toByteArray());
+}
+
+void MainWindow::buildInterface() {
+    actions_ = new Actions(this);
     search_ = new CommandSearch(*actions_, this);
+    status_ = new StatusLine(this);
+    statusBar()->addWidget(status_, 1);
     buildDocks();
     buildMenus();
     buildToolBar();
@@ -59,14 +77,19 @@ MainWindow::MainWindow(Memory memory, QWidget* parent) : QMainWindow(parent), me
     connectEditActions();
     connectViewActions();
     connectTools();
-    connectSavedViews();
     connectState();
     updateTitle();
-    if (memory_ == Memory::None) return;
-    QSettings settings;
-    restoreGeometry(settings.value("geometry").toByteArray());
-    restoreState(settings.value("layout").toByteArray());
-    (*actions_)["window.light"]->setChecked(settings.value("lightTheme").toBool());
+}
+
+void MainWindow::removeInterface() {
+    for (QDialog* dialog : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) dialog->deleteLater();
+    qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
+    qDeleteAll(findChildren<QToolBar*>(Qt::FindDirectChildrenOnly));
+    setMenuBar(nullptr);
+    delete contextMenu_;
+    delete search_;
+    delete status_;
+    delete actions_;
 }
 
 MainWindow::~MainWindow() {
@@ -86,8 +109,6 @@ void MainWindow::buildCenter() {
     layout->addWidget(messages_);
     layout->addWidget(view_, 1);
     setCentralWidget(center);
-    status_ = new StatusLine(this);
-    statusBar()->addWidget(status_, 1);
     statusBar()->setSizeGripEnabled(false);
 }
 
@@ -130,7 +151,7 @@ void MainWindow::buildMenus() {
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(recent); });
     actions_->fill(file, {"-", "file.save", "file.saveAs", "-", "file.export", "-", "file.quit"});
     menu(tr("&Edit"), {"edit.undo", "edit.redo", "-", "edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete", "-",
-                       "edit.selectAll", "edit.selectNone", "edit.rename", "-", "edit.hide", "edit.showAll", "-", "edit.group", "edit.ungroup"});
+                       "edit.selectAll", "edit.selectNone", "edit.rename", "-", "edit.hide", "edit.showAll", "-", "edit.group", "edit.ungroup", "-", "edit.preferences"});
     addMenu_ = menuBar()->addMenu(tr("&Add"));
     edits_->fillAddMenu(addMenu_, [this] { return addAt_.isNull() ? QRectF(view_->rect()).center() : addAt_; });
     objects_->setAddMenu(addMenu_);
@@ -181,7 +202,15 @@ void MainWindow::connectFileActions() {
         box->setModal(false);
         box->show();
     });
-    connect((*actions_)["window.light"], &QAction::toggled, this, &MainWindow::applyWindowTheme);
+    actions_->on("edit.preferences", this, &MainWindow::openPreferences);
+    (*actions_)["window.light"]->setChecked(preferences_.values().theme == Theme::Light);
+    actions_->on("window.light", this, [this](bool light) {
+        PreferenceValues values = preferences_.values();
+        values.theme = light ? Theme::Light : Theme::Dark;
+        preferences_.set(values);
+    });
+    connect(&preferences_, &Preferences::changed, actions_,
+            [this] { (*actions_)["window.light"]->setChecked(preferences_.values().theme == Theme::Light); });
 }
 
 void MainWindow::connectEditActions() {
@@ -196,8 +225,8 @@ void MainWindow::connectEditActions() {
         undo->setText(stack->canUndo() ? tr("&Undo %1").arg(stack->undoText()) : tr("&Undo"));
         redo->setText(stack->canRedo() ? tr("&Redo %1").arg(stack->redoText()) : tr("&Redo"));
     };
-    connect(stack, &QUndoStack::indexChanged, this, update);
-    connect(stack, &QUndoStack::undoTextChanged, this, update);
+    connect(stack, &QUndoStack::indexChanged, actions_, update);
+    connect(stack, &QUndoStack::undoTextChanged, actions_, update);
     update();
     actions_->on("edit.cut", edits_, &EditController::cut);
     actions_->on("edit.copy", edits_, &EditController::copy);
@@ -213,14 +242,14 @@ void MainWindow::connectEditActions() {
     actions_->on("edit.ungroup", edits_, &EditController::ungroup);
     actions_->on("add.menu", this, &MainWindow::openAddMenu);
     const auto warn = [this](const QString& reason) { messages_->show(MessageBar::Level::Warning, reason); };
-    connect(edits_, &EditController::refused, this, warn);
-    connect(objects_, &ObjectList::refused, this, warn);
+    connect(edits_, &EditController::refused, actions_, warn);
+    connect(objects_, &ObjectList::refused, actions_, warn);
     const auto openContextMenu = [this](const QPoint& at) {
         addAt_ = view_->mapFromGlobal(at);
         contextMenu_->popup(at);
     };
-    connect(view_, &RenderView::menuRequested, this, openContextMenu);
-    connect(objects_, &ObjectList::menuRequested, this, openContextMenu);
+    connect(view_, &RenderView::menuRequested, actions_, openContextMenu);
+    connect(objects_, &ObjectList::menuRequested, actions_, openContextMenu);
 }
 
 void MainWindow::connectViewActions() {
@@ -236,25 +265,27 @@ void MainWindow::connectViewActions() {
     actions_->on("view.camera", edits_, &EditController::lookThroughSelectedCamera);
     actions_->on("view.overlay", view_, &RenderView::setOverlayShown);
     actions_->on("view.grid", view_, &RenderView::setGridShown);
-    (*actions_)["view.overlay"]->setChecked(true);
+    (*actions_)["view.overlay"]->setChecked(view_->isOverlayShown());
+    (*actions_)["view.grid"]->setChecked(view_->isGridShown());
     constexpr double kHalfStop = 0.5;
     actions_->on("view.darker", edits_, [this] { edits_->changeExposure(-kHalfStop); });
     actions_->on("view.brighter", edits_, [this] { edits_->changeExposure(kHalfStop); });
 }
 
 void MainWindow::connectTools() {
-    auto* group = new QActionGroup(this);
+    auto* group = new QActionGroup(actions_);
     const std::pair<const char*, Tool> tools[] = {{"tool.select", Tool::Select}, {"tool.move", Tool::Move}, {"tool.rotate", Tool::Rotate}, {"tool.scale", Tool::Scale}};
     for (const auto& [id, tool] : tools) {
         QAction* action = (*actions_)[id];
         group->addAction(action);
+        action->setChecked(view_->tools().tool == tool);
         connect(action, &QAction::triggered, this, [this, tool = tool] {
             ToolOptions options = view_->tools();
             options.tool = tool;
             view_->setTools(options);
         });
     }
-    (*actions_)["tool.select"]->setChecked(true);
+    (*actions_)["tool.snap"]->setChecked(view_->tools().snap);
     actions_->on("tool.snap", this, [this](bool on) {
         ToolOptions options = view_->tools();
         options.snap = on;
@@ -273,14 +304,21 @@ void MainWindow::connectSavedViews() {
 }
 
 void MainWindow::connectState() {
-    connect(&document_, &Document::titleChanged, this, &MainWindow::updateTitle);
-    connect(&selection_, &Selection::changed, this, &MainWindow::updateSelectionText);
-    connect(&document_, &Document::changed, this, &MainWindow::updateSelectionText);
-    connect(renderer_, &Renderer::frameReady, this, [this] { status_->showFrame(*renderer_->frame()); });
-    connect(renderer_, &Renderer::pausedChanged, this, [this](bool paused) {
+    const auto updateSelection = [this] { updateSelectionText(); };
+    connect(&selection_, &Selection::changed, actions_, updateSelection);
+    connect(&document_, &Document::changed, actions_, updateSelection);
+    const auto showFrame = [this] {
+        if (renderer_->frame()) status_->showFrame(*renderer_->frame());
+    };
+    connect(renderer_, &Renderer::frameReady, actions_, showFrame);
+    const auto showPaused = [this](bool paused) {
         (*actions_)["render.pause"]->setChecked(paused);
         (*actions_)["render.pause"]->setIcon(icon(paused ? "play" : "pause"));
-    });
+    };
+    connect(renderer_, &Renderer::pausedChanged, actions_, showPaused);
+    updateSelection();
+    showFrame();
+    showPaused(renderer_->isPaused());
 }
 
 void MainWindow::updateTitle() {
@@ -306,9 +344,26 @@ void MainWindow::openExport() {
     dialog->show();
 }
 
-void MainWindow::applyWindowTheme(bool light) {
-    applyTheme(light ? Theme::Light : Theme::Dark);
-    if (memory_ == Memory::Settings) QSettings().setValue("lightTheme", light);
+void MainWindow::openPreferences() { (new PreferencesDialog(preferences_, this))->show(); }
+
+void MainWindow::applyPreferences(const PreferenceValues& before) {
+    const PreferenceValues& now = preferences_.values();
+    if (now.theme != before.theme) applyTheme(now.theme);
+    if (now.language != before.language) applyLanguage(now.language);
+    renderer_->setThreads(now.renderThreads);
+    view_->context().navigation = {now.invertWheel, now.orbitSelection};
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange || !actions_) return;
+    const QByteArray layout = saveState();
+    const bool preferencesOpen = findChild<PreferencesDialog*>() != nullptr;
+    removeInterface();
+    messages_->dismiss();
+    buildInterface();
+    restoreState(layout);
+    if (preferencesOpen) openPreferences();
 }
 
 void MainWindow::openDropped(const std::filesystem::path& file) {

@@ -7,6 +7,7 @@
 
 #include "gui/app/document.h"
 #include "gui/app/memory.h"
+#include "gui/app/preferences.h"
 #include "gui/app/selection.h"
 
 class QDockWidget;
@@ -37,6 +38,7 @@ class MainWindow : public QMainWindow {
 
     [[nodiscard]] Document& document() { return document_; }
     [[nodiscard]] Selection& selection() { return selection_; }
+    [[nodiscard]] Preferences& preferences() { return preferences_; }
     [[nodiscard]] Renderer& renderer() { return *renderer_; }
     [[nodiscard]] RenderView& view() { return *view_; }
     [[nodiscard]] ObjectList& objectList() { return *objects_; }
@@ -52,12 +54,17 @@ class MainWindow : public QMainWindow {
     void openDropped(const std::filesystem::path& file);
 
   protected:
+    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
   private:
     void buildCenter();
+    /// Makes everything with words on it but the picture: actions, docks, menus, bars. All of it goes, and is made anew,
+    /// when the language changes: connections from what stays must therefore have `actions_` as their context.
+    void buildInterface();
+    void removeInterface();
     void buildDocks();
     void buildMenus();
     void buildToolBar();
@@ -73,9 +80,11 @@ class MainWindow : public QMainWindow {
     void openAddMenu();
     void openExport();
     void fillRecentMenu(QMenu* menu);
-    void applyWindowTheme(bool light);
+    void openPreferences();
+    void applyPreferences(const PreferenceValues& before);
 
     Memory memory_;
+    Preferences preferences_;
     Document document_;
     Selection selection_;
     Renderer* renderer_;

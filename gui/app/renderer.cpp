@@ -10,23 +10,36 @@ namespace glint {
 
 namespace {
 
-int workerCount() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int workerCount(int wanted) { return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 DisplaySettings displaySettings(const Scene& scene) { return {scene.display.exposureEv, scene.display.view}; }
 
 }  // namespace
 
 Renderer::Renderer(const Document& document, QObject* parent) : QObject(parent), document_(document) {
-    session_ = std::make_unique<Session>(workerCount(), [this] {
-        if (!eventPending_.exchange(true, std::memory_order_acq_rel))
-            QMetaObject::invokeMethod(this, &Renderer::takeFrame, Qt::QueuedConnection);
-    });
+    startSession();
     connect(&document, &Document::changed, this, &Renderer::onDocumentChanged);
     connect(&document, &Document::titleChanged, this, [this] {
         if (document_.assetFolder() != assetFolder_) publishScene();
     });
+}
+
+void Renderer::startSession() {
+    // The old session goes first: its frames are the ones that frame_ points to.
+    frame_ = nullptr;
+    session_.reset();
+    session_ = std::make_unique<Session>(workerCount(threads_), [this] {
+        if (!eventPending_.exchange(true, std::memory_order_acq_rel))
+            QMetaObject::invokeMethod(this, &Renderer::takeFrame, Qt::QueuedConnection);
+    });
     publishScene();
     publishView();
+}
+
+void Renderer::setThreads(int threads) {
+    if (threads == threads_) return;
+    threads_ = threads;
+    startSession();
 }
 
 // The session goes first: its threads call back into this object.

@@ -27,6 +27,8 @@ class Renderer : public QObject {
     /// Size of the picture in device pixels.
     void setSize(QSize size);
     void setPaused(bool paused);
+    /// Renders on so many threads from now on, 0 for one a processor; the picture starts again.
+    void setThreads(int threads);
 
   signals:
     void frameReady();
@@ -37,8 +39,10 @@ class Renderer : public QObject {
     void publishScene();
     void publishView();
     void takeFrame();
+    void startSession();
 
     const Document& document_;
+    int threads_ = 0;  ///< as asked for
     ViewSettings view_;
     const SessionFrame* frame_ = nullptr;
     std::filesystem::path assetFolder_;  ///< as published

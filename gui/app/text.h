@@ -23,14 +23,19 @@ namespace glint {
 /// A name from a field table or type list ("vertical_fov_degrees") as a person reads it ("Vertical fov").
 [[nodiscard]] inline QString labelOf(std::string_view name) {
     QString text = toQString(name);
+    if (const QString known = QCoreApplication::translate("Field", text.toUtf8().constData()); known != text) return known;
     // The unit stands behind the number.
     for (const char* unit : {"_degrees", "_seconds", "_percent", "_ev"})
         if (text.endsWith(QLatin1String(unit))) text.chop(qsizetype(std::char_traits<char>::length(unit)));
     if (text == QLatin1String("ior")) return QStringLiteral("IOR");
-    if (text == QLatin1String("spp")) return QCoreApplication::translate("Field", "Samples a pixel");
+    if (text == QLatin1String("spp")) return QStringLiteral("Samples a pixel");
     text.replace(QLatin1Char('_'), QLatin1Char(' '));
     if (!text.isEmpty()) text[0] = text[0].toUpper();
-    return QCoreApplication::translate("Field", text.toUtf8().constData());
+    return text;
+}
+/// What a field table says about a field, in the person's language.
+[[nodiscard]] inline QString explanationOf(std::string_view doc) {
+    return QCoreApplication::translate("FieldDoc", std::string(doc).c_str());
 }
 
 }  // namespace glint

@@ -16,7 +16,7 @@ namespace {
 
 /// "Radius. In m, above 0."
 QString explanation(const FieldMeta& meta) {
-    QString out = toQString(meta.doc);
+    QString out = meta.doc.empty() ? QString() : explanationOf(meta.doc);
     const NumberRange range{meta.min, meta.max, meta.exclusiveMin, false};
     if (!meta.unit.empty()) out += "\n" + QCoreApplication::translate("FormBuilder", "Unit: %1").arg(shownUnit(toQString(meta.unit)));
     if (std::isfinite(meta.min) || std::isfinite(meta.max))

@@ -28,6 +28,14 @@ DVec3 focusPoint(const ViewContext& context, const QPointF& at) {
     return ray.origin + ray.direction * (depth / glm::dot(ray.direction, view.axes().forward));
 }
 
+DVec3 orbitCenter(const ViewContext& context, const QPointF& at) {
+    const std::vector<Item>& selected = context.selection.items();
+    if (!context.navigation.orbitSelection || selected.empty()) return focusPoint(context, at);
+    DVec3 sum(0.0);
+    for (const Item item : selected) sum += worldFromItem(context.document.scene(), item).translation;
+    return sum / static_cast<double>(selected.size());
+}
+
 CameraGesture::CameraGesture(ViewContext& context, const QPointF& start)
     : Gesture(context), startCamera_(context.document.scene().viewCamera()), start_(start) {}
 
@@ -38,7 +46,7 @@ void CameraGesture::finish(const Pointer&) {
 void CameraGesture::cancel() { context_.document.navigate(startCamera_); }
 
 OrbitGesture::OrbitGesture(ViewContext& context, const QPointF& start)
-    : CameraGesture(context, start), pivot_(focusPoint(context, start)) {}
+    : CameraGesture(context, start), pivot_(orbitCenter(context, start)) {}
 
 void OrbitGesture::move(const Pointer& pointer) {
     const QPointF d = pointer.at - start_;

@@ -161,7 +161,7 @@ void RenderView::updateHover(const QPointF& at) {
 }
 
 void RenderView::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / 120.0;
+    const double steps = event->angleDelta().y() / (context_.navigation.invertWheel ? -120.0 : 120.0);
     if (steps == 0) return event->ignore();
     if (gesture_) {
         if (gesture_->wheel(steps)) emit readoutChanged(gesture_->readout());

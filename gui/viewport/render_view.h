@@ -22,6 +22,8 @@ class RenderView : public QWidget {
     void setTools(const ToolOptions& tools);
     void setOverlayShown(bool shown);
     void setGridShown(bool shown);
+    [[nodiscard]] bool isOverlayShown() const { return overlayShown_; }
+    [[nodiscard]] bool isGridShown() const { return gridShown_; }
     /// Where the pointer is, or the middle of the view if it is elsewhere.
     [[nodiscard]] QPointF pointerOrCenter() const;
     /// Lets the selected items of `base` follow the pointer until a click.

@@ -22,6 +22,12 @@ struct ToolOptions {
     bool operator==(const ToolOptions&) const = default;
 };
 
+/// How a person likes to move the view.
+struct NavigationOptions {
+    bool invertWheel = false;     ///< the wheel towards the hand comes closer
+    bool orbitSelection = false;  ///< orbit about the selection instead of the point under the pointer
+};
+
 struct ViewContext {
     Document& document;
     Selection& selection;
@@ -29,6 +35,7 @@ struct ViewContext {
     QWidget& widget;
     ViewHistory history;
     ToolOptions tools;
+    NavigationOptions navigation{};
 
     /// In the widget's own (logical) pixels.
     [[nodiscard]] ViewProjection projection() const;
