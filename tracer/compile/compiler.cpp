@@ -5,6 +5,7 @@
 
 #include "tracer/compile/render_scene.h"
 #include "tracer/lights/sky.h"
+#include "tracer/scene/light_groups.h"
 
 namespace glint {
 
@@ -82,6 +83,7 @@ class Compiler {
         ++compiled_.stats.lightTablesBuilt;
         out_->film = scene_.film;
         out_->settings = scene_.render;
+        out_->lightGroups = groups_.count();
         out_->camera = CameraModel(scene_.viewCamera(), out_->origin, scene_.film.width, scene_.film.height);
         out_->lists = ShapeLists(out_->shapes);
         ++compiled_.stats.shapeListsBuilt;
@@ -105,9 +107,10 @@ class Compiler {
                 warn(CompileWarning::Kind::NotBuiltYet, "/materials/" + material.name, "material \"" + material.name + "\": " + what);
             materialIndex_[id] = static_cast<std::uint32_t>(out_->materials.size());
             out_->materials.push_back(finish(std::move(leaves)));
+            out_->materials.back().bit = materialBit(id);
         });
         black_ = static_cast<std::uint32_t>(out_->materials.size());
-        out_->materials.emplace_back();
+        out_->materials.emplace_back().bit = materialBit({});
     }
 
     static CompiledMaterial finish(MaterialLeaves leaves) {
@@ -204,25 +207,27 @@ class Compiler {
                                            .emission = emission,
                                            .shape = index,
                                            .twoSided = object.twoSided,
-                                           .power = luminance(emission) * static_cast<float>(4 * kPi * area)});
+                                           .power = luminance(emission) * static_cast<float>(4 * kPi * area),
+                                           .group = groups_.of(id)});
         }
         out_->shapes.push_back(instance);
     }
 
     void addLights() {
-        scene_.lights.forEach([&](LightId, const Light& light) {
-            if (light.visible) std::visit([&](const auto& value) { addLight(value); }, light.value);
+        scene_.lights.forEach([&](LightId id, const Light& light) {
+            if (light.visible) std::visit([&](const auto& value) { addLight(value, groups_.of(id)); }, light.value);
         });
     }
-    void addLight(const PointLight& light) {
+    void addLight(const PointLight& light, std::uint8_t group) {
         const Rgb intensity = toRgb(light.intensity);
         if (isBlack(intensity)) return;
         out_->lights.lights.push_back({.kind = LightKind::Point,
                                        .position = light.position - out_->origin,
                                        .emission = intensity,
-                                       .power = 4 * kPiF * luminance(intensity)});
+                                       .power = 4 * kPiF * luminance(intensity),
+                                       .group = group});
     }
-    void addLight(const SpotLight& light) {
+    void addLight(const SpotLight& light, std::uint8_t group) {
         const Rgb intensity = toRgb(light.intensity);
         const DVec3 axis = light.target - light.position;
         if (isBlack(intensity) || !(glm::length(axis) > 0)) return;
@@ -233,12 +238,13 @@ class Compiler {
                                        .emission = intensity,
                                        .cosInner = static_cast<float>(std::cos(inner)),
                                        .cosOuter = static_cast<float>(std::cos(outer)),
-                                       .power = static_cast<float>(2 * kPi * (1 - std::cos(outer))) * luminance(intensity)});
+                                       .power = static_cast<float>(2 * kPi * (1 - std::cos(outer))) * luminance(intensity),
+                                       .group = group});
     }
-    void addLight(const SunLight& light) { addSun(light.direction, toRgb(light.irradiance), light.angleDegrees); }
+    void addLight(const SunLight& light, std::uint8_t group) { addSun(light.direction, toRgb(light.irradiance), light.angleDegrees, group); }
 
     /// `direction`: of travel.
-    void addSun(const DVec3& direction, const Rgb& irradiance, double angleDegrees) {
+    void addSun(const DVec3& direction, const Rgb& irradiance, double angleDegrees, std::uint8_t group) {
         if (isBlack(irradiance) || !(glm::length(direction) > 0)) return;
         const double sine = std::sin(degreesToRadians(angleDegrees / 2)), sin2 = sine * sine;
         if (sin2 > 0) out_->lights.sunDiscs.push_back(static_cast<std::uint32_t>(out_->lights.lights.size()));
@@ -246,7 +252,8 @@ class Compiler {
                                        .direction = -glm::normalize(direction),
                                        .emission = sin2 > 0 ? irradiance * static_cast<float>(1 / (kPi * sin2)) : irradiance,
                                        .sin2Angle = sin2,
-                                       .power = luminance(irradiance) * skyArea()});
+                                       .power = luminance(irradiance) * skyArea(),
+                                       .group = group});
     }
 
     void addEnvironment() {
@@ -256,6 +263,7 @@ class Compiler {
         out.sinRotation = std::sin(turn);
         out.cosRotation = std::cos(turn);
         out.visibleToCamera = e.visibleToCamera;
+        out.group = groups_.ofEnvironment();
         std::shared_ptr<const Image> image;
         if (!e.image.empty()) {
             auto loaded = assets_.image(folder_ / e.image, ColorSpace::Auto, compiled_.stats.imagesLoaded);
@@ -273,13 +281,13 @@ class Compiler {
         out.scale = tint * static_cast<float>(e.intensity);
         if (e.sky && e.image.empty()) {
             const SkySun sun = skySun(*e.sky);
-            addSun(-out.worldFromMap(sun.direction), sun.irradiance * out.scale, sun.angleDegrees);
+            addSun(-out.worldFromMap(sun.direction), sun.irradiance * out.scale, sun.angleDegrees, out.group);
         }
         if (!image || out.isBlack()) return;
         out.map = reusedMap(image);
         out_->lights.environmentLight = static_cast<std::uint32_t>(out_->lights.lights.size());
         out_->lights.lights.push_back(
-            {.kind = LightKind::Environment, .power = kPiF * luminance(out.scale * out.map->meanRadiance()) * skyArea()});
+            {.kind = LightKind::Environment, .power = kPiF * luminance(out.scale * out.map->meanRadiance()) * skyArea(), .group = out.group});
     }
 
     /// The previous scene's map where it was made from the same picture.
@@ -341,6 +349,7 @@ class Compiler {
     const RenderScene* previous_;
     std::shared_ptr<RenderScene> out_ = std::make_shared<RenderScene>();
     Compiled compiled_;
+    LightGroups groups_{scene_};
     std::map<MaterialId, std::uint32_t> materialIndex_;
     std::uint32_t black_ = 0;
 };

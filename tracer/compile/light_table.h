@@ -23,6 +23,7 @@ struct CompiledLight {
     std::uint32_t shape = kNoShape;  ///< Area
     bool twoSided = false;      ///< Area
     float power = 0;            ///< for choosing among lights; W up to a common factor
+    std::uint8_t group = 0;     ///< whose sum its light goes to, see scene/light_groups.h
 
     /// Sun: the unit vector `towards` meets the disc.
     [[nodiscard]] bool discHolds(const DVec3& towards) const {
@@ -50,6 +51,7 @@ struct CompiledEnvironment {
     std::shared_ptr<const EnvironmentMap> map;
     double sinRotation = 0, cosRotation = 1;
     bool visibleToCamera = true;
+    std::uint8_t group = 0;  ///< as CompiledLight::group
 
     [[nodiscard]] DVec3 mapFromWorld(const DVec3& d) const {
         return {cosRotation * d.x - sinRotation * d.z, d.y, sinRotation * d.x + cosRotation * d.z};

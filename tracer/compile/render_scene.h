@@ -45,9 +45,13 @@ struct CompiledMaterial {
     Rgb straight{0.0f};       ///< factor on light that passes straight through, at most; black: opaque to shadow rays
     bool dielectric = false;
     Medium medium;
+    std::uint64_t bit = 0;    ///< stands for it in sets of materials, see materialBit()
 
     [[nodiscard]] bool hasSmooth() const { return smoothAlbedo > 0; }
 };
+
+/// The bit for a material in a set of 64; materials share one where there are more. No material: bit 0.
+[[nodiscard]] constexpr std::uint64_t materialBit(MaterialId id) { return std::uint64_t{1} << (id.value % 64); }
 
 struct RenderScene {
     DVec3 origin{0.0};  ///< world position of render space's origin
@@ -60,6 +64,7 @@ struct RenderScene {
     FilmSettings film;
     RenderSettings settings;
     Features features = 0;
+    std::size_t lightGroups = 1;  ///< number of groups that lights belong to
 };
 
 }  // namespace glint

@@ -19,13 +19,15 @@ class ClassicTracer {
         MediaStack media;
         if constexpr (has(F, Feature::Media)) media = scene_.cameraMedia;
         ++state_.rays.primary;
-        return trace({cameraRay, media, 1.0f, 0, 1, true});
+        trace({cameraRay, media, Rgb(1.0f), 1.0f, 0, 1, true});
+        return sum_;
     }
 
   private:
     struct Branch {
         Ray ray;
         MediaStack media;
+        Rgb weight;                ///< factor on its light at the camera
         float importance;          ///< largest factor between here and the camera, for the roulette of dim branches
         int depth;                 ///< surface interactions so far
         std::uint32_t key;         ///< place in the tree of rays: the children of k are 16 k + 1, 16 k + 2 ...
@@ -35,53 +37,53 @@ class ClassicTracer {
     /// Branches dimmer than this go on by chance, with their weight made up for: a tree of glass would grow without end.
     static constexpr float kDim = 0.01f;
 
-    Rgb trace(const Branch& branch) {
-        if (state_.stop()) return Rgb(0.0f);
+    void add(std::uint8_t group, const Rgb& value) {
+        sum_ += value;
+        state_.addToGroup(group, value);
+    }
+
+    /// Adds the light that arrives along the branch.
+    void trace(Branch branch) {
+        if (state_.stop()) return;
         const ShapeHit hit = scene_.lists.closest(branch.ray, branch.media);
-        Rgb share(1.0f);
         if constexpr (has(F, Feature::Media))
-            if (!branch.media.empty()) share = transmittance(mediumOf(scene_, fillingShape(scene_, branch.media)), hit.t);
-        if (!hit.found()) return share * sky(branch);
+            if (!branch.media.empty()) branch.weight *= transmittance(mediumOf(scene_, fillingShape(scene_, branch.media)), hit.t);
+        if (!hit.found()) return addSky(branch);
         const SurfacePoint point = surfacePoint(scene_, branch.ray, hit, branch.media);
+        const CompiledMaterial& material = scene_.materials[point.instance(scene_).material];
+        state_.materials |= material.bit;
         if (point.hidden) {
-            Branch on = branch;
-            on.ray = {point.position, branch.ray.direction, point.shape, point.outside};
-            on.media.cross(point.shape);
-            return share * trace(on);
+            branch.ray = {point.position, branch.ray.direction, point.shape, point.outside};
+            branch.media.cross(point.shape);
+            return trace(branch);
         }
         if constexpr (has(F, Feature::Layers))
             if (branch.depth == 0) describeSurface(scene_, point, *state_.layers);
-        Rgb sum = emission(point);
-        if (branch.depth < scene_.settings.maxDepth) {
-            const CompiledMaterial& material = scene_.materials[point.instance(scene_).material];
-            if (material.hasSmooth()) sum += direct(branch, point, material);
-            sum += reflectedAndRefracted(branch, point, material);
-        }
-        return share * sum;
+        addEmission(branch, point);
+        if (branch.depth >= scene_.settings.maxDepth) return;
+        if (material.hasSmooth()) addDirect(branch, point, material);
+        reflectAndRefract(branch, point, material);
     }
 
-    Rgb sky(const Branch& branch) const {
+    void addSky(const Branch& branch) {
         const CompiledEnvironment& environment = scene_.lights.environment;
-        Rgb sum(0.0f);
         if (!environment.isBlack() && !(branch.straightFromCamera && !environment.visibleToCamera))
-            sum = environment.radiance(branch.ray.direction);
+            add(environment.group, branch.weight * environment.radiance(branch.ray.direction));
         for (const std::uint32_t sun : scene_.lights.sunDiscs) {
             const CompiledLight& light = scene_.lights.lights[sun];
-            if (light.discHolds(branch.ray.direction)) sum += light.emission;
+            if (light.discHolds(branch.ray.direction)) add(light.group, branch.weight * light.emission);
         }
-        return sum;
     }
 
-    Rgb emission(const SurfacePoint& point) const {
+    void addEmission(const Branch& branch, const SurfacePoint& point) {
         const std::uint32_t light = point.instance(scene_).light;
-        if (light == ~0u) return Rgb(0.0f);
+        if (light == ~0u) return;
         const CompiledLight& emitter = scene_.lights.lights[light];
-        return point.outside || emitter.twoSided ? emitter.emission : Rgb(0.0f);
+        if (point.outside || emitter.twoSided) add(emitter.group, branch.weight * emitter.emission);
     }
 
     /// Light straight from every source but the environment.
-    Rgb direct(const Branch& branch, const SurfacePoint& point, const CompiledMaterial& material) {
-        Rgb sum(0.0f);
+    void addDirect(const Branch& branch, const SurfacePoint& point, const CompiledMaterial& material) {
         const Ray from{point.position, point.frame.n, point.shape, !point.outside};
         for (std::uint32_t i = 0; i < scene_.lights.lights.size(); ++i) {
             if (i == scene_.lights.environmentLight) continue;
@@ -94,30 +96,26 @@ class ClassicTracer {
             const Ray ray{point.position, s.wi, point.shape, wi.z < 0};
             const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(scene_, point, branch.media, wi), s.distance, s.shape,
                                                      scene_.settings.maxDepth - branch.depth - 1, scene_.settings.transparentShadows);
-            sum += f.f * s.radiance * share * static_cast<float>(std::abs(wi.z) / s.pdf);
+            add(scene_.lights.lights[i].group, branch.weight * f.f * s.radiance * share * static_cast<float>(std::abs(wi.z) / s.pdf));
         }
-        return sum;
     }
 
-    Rgb reflectedAndRefracted(const Branch& branch, const SurfacePoint& point, const CompiledMaterial& material) {
-        Rgb sum(0.0f);
+    void reflectAndRefract(const Branch& branch, const SurfacePoint& point, const CompiledMaterial& material) {
         const Branches ways = classicBranches(material, point);
         for (int i = 0; i < ways.count; ++i) {
             const DeltaBranch& way = ways.at[static_cast<std::size_t>(i)];
-            Branch next{point.ray(way.wi), mediaBeyond<F>(scene_, point, branch.media, way.wi),
+            Branch next{point.ray(way.wi), mediaBeyond<F>(scene_, point, branch.media, way.wi), branch.weight * way.weight,
                         branch.importance * maxComponent(way.weight), branch.depth + 1,
                         branch.key * 16 + static_cast<std::uint32_t>(i) + 1, branch.straightFromCamera && way.straight};
-            Rgb weight = way.weight;
             if (next.importance < kDim) {
                 const float chance = next.importance / kDim;
                 if (sampler_.block(sobol::mix(next.key) ^ sampleBlock(SampleUse::Bsdf, 0, 0)).x >= chance) continue;
-                weight /= chance;
+                next.weight /= chance;
                 next.importance = kDim;
             }
             ++state_.rays.scatter;
-            sum += weight * trace(next);
+            trace(next);
         }
-        return sum;
     }
 
     /// The delta branches, and for rough lobes the perfect one that they are near to.
@@ -142,6 +140,7 @@ class ClassicTracer {
     KernelState& state_;
     const RenderScene& scene_;
     const Sampler& sampler_;
+    Rgb sum_{0.0f};
 };
 
 }  // namespace glint

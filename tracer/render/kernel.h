@@ -1,6 +1,7 @@
 // The contract between kernels (path.h, classic.h) and whoever runs them: one call renders one sample of one pixel.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <span>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "tracer/math/sobol.h"
 #include "tracer/render/pixel_filter.h"
 #include "tracer/render/render.h"
+#include "tracer/scene/light_groups.h"
 
 namespace glint {
 
@@ -22,6 +24,9 @@ struct CancelToken {
 
 struct LayerSample;
 
+/// One sample's light by light group.
+using GroupLight = std::array<Rgb, kMaxLightGroups>;
+
 /// What one worker carries from sample to sample.
 struct KernelState {
     const RenderScene& scene;
@@ -29,11 +34,16 @@ struct KernelState {
     RayCounts rays;
     bool cancelled = false;  ///< the last sample was given up: throw its value away
     LayerSample* layers = nullptr;  ///< filled by kernels with Feature::Layers
+    GroupLight* groups = nullptr;   ///< if not null: filled with the sample's light by group
+    std::uint64_t materials = 0;    ///< set of the materials whose values the sample rests on, see materialBit()
 
     /// To be asked at every path vertex.
     bool stop() {
         if (cancel.cancelled()) cancelled = true;
         return cancelled;
+    }
+    void addToGroup(std::uint8_t group, const Rgb& value) {
+        if (groups) (*groups)[group] += value;
     }
 };
 

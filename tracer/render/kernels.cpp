@@ -16,6 +16,9 @@ Rgb runKernel(KernelState& state, int x, int y, std::uint32_t sample) {
     const RenderScene& scene = state.scene;
     const Sampler sampler = samplerFor(scene, x, y, sample);
     state.cancelled = false;
+    state.materials = 0;
+    for (int i = 0; i < scene.cameraMedia.size(); ++i) state.materials |= scene.materials[scene.shapes[scene.cameraMedia[i]].material].bit;
+    if (state.groups) *state.groups = {};
     Rgb value = Tracer(state, sampler).radiance(cameraRay<F>(scene, sampler, x, y));
     if (const auto limit = static_cast<float>(scene.settings.clamp); limit > 0)
         if (const float size = maxComponent(value); size > limit) value *= limit / size;

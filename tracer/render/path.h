@@ -76,6 +76,7 @@ class PathTracer {
                 if (!path.media.empty()) path.throughput *= transmittance(mediumOf(scene_, fillingShape(scene_, path.media)), hit.t);
             if (!hit.found()) return addSky(path);
             const SurfacePoint point = surfacePoint(scene_, path.ray, hit, path.media);
+            state_.materials |= scene_.materials[point.instance(scene_).material].bit;
             if constexpr (has(F, Feature::Media)) {
                 if (point.hidden) {
                     if (++hidden > kMaxHidden) return;
@@ -108,11 +109,11 @@ class PathTracer {
         if constexpr (has(F, Feature::Sky)) {
             const CompiledEnvironment& environment = scene_.lights.environment;
             if (!environment.isBlack() && !(path.straightFromCamera && !environment.visibleToCamera))
-                add(path, LightLayer::Environment, path.throughput * environment.scale * seenInSky(path, environment));
+                add(path, LightLayer::Environment, environment.group, path.throughput * environment.scale * seenInSky(path, environment));
             if constexpr (has(F, Feature::SampledSky))
                 for (const std::uint32_t sun : scene_.lights.sunDiscs)
                     if (const CompiledLight& light = scene_.lights.lights[sun]; light.discHolds(path.ray.direction))
-                        add(path, LightLayer::Environment, path.throughput * light.emission * foundWeight(path, sun));
+                        add(path, LightLayer::Environment, light.group, path.throughput * light.emission * foundWeight(path, sun));
         }
     }
 
@@ -127,12 +128,13 @@ class PathTracer {
         if (light == ~0u) return;
         const CompiledLight& emitter = scene_.lights.lights[light];
         if (point.outside || emitter.twoSided)
-            add(path, LightLayer::Emission, path.throughput * emitter.emission * foundWeight(path, light));
+            add(path, LightLayer::Emission, emitter.group, path.throughput * emitter.emission * foundWeight(path, light));
     }
 
     /// Light found where the path has come to; `seen` is its layer if the camera sees it there itself.
-    void add(const Path& path, LightLayer seen, const Rgb& value) {
+    void add(const Path& path, LightLayer seen, std::uint8_t group, const Rgb& value) {
         sum_ += value;
+        state_.addToGroup(group, value);
         if constexpr (has(F, Feature::Layers)) {
             if (path.bounces == 0)
                 state_.layers->add(seen, value);
@@ -263,6 +265,7 @@ class PathTracer {
         const double weight = scene_.lights.lights[light].isDelta() ? 1.0 : Heuristic::lightWeight(density, static_cast<double>(f.pdf) * smoothChance);
         const Rgb value = path.throughput * f.f * s.radiance * share * static_cast<float>(weight * std::abs(wi.z) / density);
         sum_ += value;
+        state_.addToGroup(scene_.lights.lights[light].group, value);
         if constexpr (has(F, Feature::Layers))
             state_.layers->add(path.bounces == 0 ? smoothShares(material, point.wo, wi, point.eta) : path.shares, path.bounces == 0, value);
     }

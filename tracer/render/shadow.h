@@ -36,9 +36,11 @@ template <Features F>
         const SurfacePoint point = surfacePoint(scene, ray, hit, media);
         const ShapeInstance& instance = scene.shapes[hit.shape];
         const bool tints = tinted && instance.dielectric;
+        const CompiledMaterial& material = scene.materials[instance.material];
+        // Of an opaque surface nothing counts but that it is one: edits that change this start anew.
+        if (tints || !isBlack(material.straight)) state.materials |= material.bit;
         if (!tints) {
             if (passes-- <= 0) return Rgb(0.0f);
-            const CompiledMaterial& material = scene.materials[instance.material];
             if (isBlack(material.straight) || point.hidden) return Rgb(0.0f);
             share *= straightWeight(material, point.wo, point.eta);
             if (isBlack(share)) return share;

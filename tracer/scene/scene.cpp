@@ -2,6 +2,17 @@
 
 namespace glint {
 
+const Color& lightColor(const Light& light) {
+    return std::visit(
+        [](const auto& value) -> const Color& {
+            if constexpr (requires { value.irradiance; }) return value.irradiance;
+            else return value.intensity;
+        },
+        light.value);
+}
+
+Color& lightColor(Light& light) { return const_cast<Color&>(lightColor(std::as_const(light))); }
+
 Affine toAffine(const Transform& transform) {
     if (transform.matrix) {
         const auto& m = *transform.matrix;

@@ -246,6 +246,9 @@ struct Scene {
     [[nodiscard]] const Camera& viewCamera() const { return activeCamera ? cameras.at(activeCamera) : camera; }
 };
 
+/// What a light without a surface shines with: its intensity or irradiance.
+[[nodiscard]] const Color& lightColor(const Light& light);
+[[nodiscard]] Color& lightColor(Light& light);
 /// The object's own or a group's transform as a matrix.
 [[nodiscard]] Affine toAffine(const Transform& transform);
 /// The matrix as a Transform: translate, rotate and scale where that is exact, else `matrix`.
