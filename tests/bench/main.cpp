@@ -1,14 +1,14 @@
 // glint-bench: measurements, one subcommand each. Never a test: a busy machine must not fail a build.
+#include "tests/bench/error.h"
 #include "tests/bench/rays.h"
 #include "tests/bench/scenes.h"
-#include "tests/bench/command.h"
 #include "tests/bench/peers/peers.h"
 
 int main(int argc, char** argv) {
     using namespace glint::bench;
     CLI::App app("Measures Glint on this machine. Compare ratios within one run, never times of two.", "glint-bench");
     app.require_subcommand(1);
-    const std::vector<Command> commands = {raysCommand(app), scenesCommand(app), peersCommand(app)};
+    const std::vector<Command> commands = {errorCommand(app), raysCommand(app), scenesCommand(app), peersCommand(app)};
     CLI11_PARSE(app, argc, argv);
     for (const Command& command : commands)
         if (*command.app) return command.run();

@@ -9,10 +9,10 @@
 
 #include "tests/bench/clock.h"
 #include "tests/bench/output.h"
-#include "tests/bench/statistics.h"
 #include "tests/support/scalar_lists.h"
 #include "tracer/math/transform.h"
 #include "tracer/math/warp.h"
+#include "tracer/math/statistics.h"
 
 namespace glint::bench {
 
@@ -149,7 +149,7 @@ struct Contender {
     std::vector<double> raysASecond = {};
     std::size_t hits = 0;
 
-    [[nodiscard]] double median() const { return bench::median(raysASecond); }
+    [[nodiscard]] double median() const { return glint::median(raysASecond); }
     void run() {
         const Stopwatch watch;
         std::size_t rounds = 0;

@@ -5,10 +5,10 @@
 
 #include "tests/bench/clock.h"
 #include "tests/bench/output.h"
-#include "tests/bench/statistics.h"
 #include "tracer/compile/compiler.h"
 #include "tracer/io/scene_json.h"
 #include "tracer/render/render.h"
+#include "tracer/math/statistics.h"
 
 namespace glint::bench {
 

@@ -5,13 +5,6 @@
 
 namespace glint::test {
 
-void RunningMoments::add(double value) {
-    ++count_;
-    const double difference = value - mean_;
-    mean_ += difference / static_cast<double>(count_);
-    squares_ += difference * (value - mean_);
-}
-
 double normalTwoSided(double z) { return std::erfc(std::abs(z) / std::sqrt(2.0)); }
 
 double zTest(double mean, double varianceOfMean, double expected, double tolerance) {

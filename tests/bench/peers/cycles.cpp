@@ -5,6 +5,7 @@
 #include "tests/bench/clock.h"
 #include "tests/bench/peers/renderers.h"
 #include "tests/bench/process.h"
+#include "tests/support/paths.h"
 #include "tracer/io/scene_writer.h"
 
 namespace glint::bench {
@@ -94,7 +95,7 @@ Result<std::unique_ptr<Renderer>> startCycles(const PeerScene& scene) {
     out << sceneJson(scene.scene, Defaults::Written).dump(1) << '\n';
     if (!out.flush()) return Error{"cannot write", file.string(), 0, 0, {}, {}};
     Result<Process> process = Process::start({"blender", "-b", "--factory-startup", "--debug-cycles", "--python-exit-code", "1", "--python",
-                                              GLINT_SOURCE_DIR "/tests/bench/peers/cycles_scene.py", "--", file.string(),
+                                              test::inSource("tests/bench/peers/cycles_scene.py").string(), "--", file.string(),
                                               std::to_string(scene.threads), scene.exact ? "exact" : "fast"});
     if (!process) return process.error();
     auto renderer = std::make_unique<CyclesRenderer>(std::move(process).value(), scene.folder);

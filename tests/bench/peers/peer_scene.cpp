@@ -1,8 +1,6 @@
 #include "tests/bench/peers/peer_scene.h"
 
-#include <algorithm>
-#include <cmath>
-
+#include "tests/bench/scene_list.h"
 #include "tracer/compile/compiler.h"
 #include "tracer/io/scene_json.h"
 
@@ -64,8 +62,9 @@ Result<PeerScene> loadPeerScene(const fs::path& file, int width, int threads, co
     if (!loaded) return loaded.error();
     PeerScene out{file.stem().string(), std::move(loaded).value(), threads, false, fs::absolute(folder)};
     Scene& scene = out.scene;
-    const double shape = static_cast<double>(scene.film.height) / scene.film.width;
-    scene.film = {width, std::max(1, static_cast<int>(std::lround(width * shape))), Filter::Box, 0.5};
+    scaleFilm(scene, width);
+    scene.film.filter = Filter::Box;
+    scene.film.filterRadius = 0.5;
     scene.render.timeSeconds = scene.render.errorPercent = scene.render.clamp = 0;
     scene.camera = scene.viewCamera();
     scene.camera.name.clear();

@@ -8,8 +8,8 @@
 #include "tests/bench/peers/renderers.h"
 #include "tests/bench/process.h"
 #include "tests/bench/reference_cache.h"
-#include "tests/bench/statistics.h"
 #include "tracer/io/scene_json.h"
+#include "tracer/math/statistics.h"
 
 namespace glint::bench {
 

@@ -1,13 +1,11 @@
-#include "tests/bench/statistics.h"
+#include "tracer/math/statistics.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "tests/support/ztest.h"
-
-namespace glint::bench {
+namespace glint {
 
 namespace {
 
@@ -35,7 +33,7 @@ double geometricMean(const std::vector<double>& values) {
 }
 
 Interval meanInterval(const std::vector<double>& values) {
-    test::RunningMoments moments;
+    RunningMoments moments;
     for (const double value : values) moments.add(value);
     return {moments.mean(), studentQuantile(values.size() - 1) * std::sqrt(moments.varianceOfMean())};
 }
@@ -67,6 +65,7 @@ PowerLaw fitPowerLaw(const std::vector<double>& x, const std::vector<double>& y)
     PowerLaw out;
     out.slope = xy / xx;
     out.intercept = meanY - out.slope * meanX;
+    out.slopeHalf = std::numeric_limits<double>::infinity();
     if (x.size() > 2) {
         const double residual = std::max(0.0, yy - out.slope * xy) / (n - 2);
         out.slopeHalf = studentQuantile(x.size() - 2) * std::sqrt(residual / xx);
@@ -74,4 +73,4 @@ PowerLaw fitPowerLaw(const std::vector<double>& x, const std::vector<double>& y)
     return out;
 }
 
-}  // namespace glint::bench
+}  // namespace glint
