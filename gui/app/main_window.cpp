@@ -22,17 +22,21 @@
 #include "gui/app/export_dialog.h"
 #include "gui/app/export_queue.h"
 #include "gui/app/file_controller.h"
+#include "gui/app/material_previews.h"
 #include "gui/app/preferences_dialog.h"
+#include "gui/app/preview_renderer.h"
 #include "gui/app/renderer.h"
 #include "gui/app/shortcut_sheet.h"
 #include "gui/app/text.h"
 #include "gui/app/theme.h"
 #include "gui/app/tool_bar.h"
 #include "gui/panels/environment_picker.h"
+#include "gui/panels/material_panel.h"
 #include "gui/panels/object_list.h"
 #include "gui/panels/property_panel.h"
 #include "gui/panels/render_panel.h"
 #include "gui/panels/thumbnails.h"
+#include "gui/viewport/material_drop.h"
 #include "gui/viewport/render_view.h"
 #include "gui/viewport/view_commands.h"
 #include "gui/widgets/icons.h"
@@ -52,6 +56,9 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
     edits_ = new EditController(document_, selection_, *view_, this);
     files_ = new FileController(document_, *messages_, memory_, this);
     exports_ = new ExportQueue(*messages_, this);
+    previews_ = new PreviewRenderer(this);
+    materialPreviews_ = new MaterialPreviews(document_, *previews_, this);
+    new MaterialDrop(*view_);
     connectSavedViews();
     connect(&document_, &Document::titleChanged, this, &MainWindow::updateTitle);
     connect(&preferences_, &Preferences::changed, this, &MainWindow::applyPreferences);
@@ -124,19 +131,26 @@ void MainWindow::buildDocks() {
     objects_ = new ObjectList(document_, selection_, this);
     environment_ = new EnvironmentPicker(document_, std::filesystem::path(GLINT_RESOURCE_DIR) / "env", this);
     properties_ = new PropertyPanel(document_, selection_, this);
+    properties_->setPreviews(*materialPreviews_);
+    materials_ = new MaterialPanel(document_, selection_, *materialPreviews_, this);
+    connect(materials_, &MaterialPanel::chosen, properties_, &PropertyPanel::showMaterial);
+    connect(materials_, &MaterialPanel::refused, messages_, [this](const QString& reason) { messages_->show(MessageBar::Level::Warning, reason); });
     auto* history = new QUndoView(&document_.undoStack(), this);
     history->setEmptyLabel(tr("As opened"));
     QDockWidget* objects = addDock("objects", tr("Objects"), objects_, Qt::LeftDockWidgetArea);
+    QDockWidget* materials = addDock("materials", tr("Materials"), materials_, Qt::LeftDockWidgetArea);
     QDockWidget* environment = addDock("environment", tr("Environment"), environment_, Qt::LeftDockWidgetArea);
     QDockWidget* properties = addDock("properties", tr("Properties"), properties_, Qt::RightDockWidgetArea);
     QDockWidget* render = addDock("render", tr("Render"), new RenderPanel(document_, this), Qt::RightDockWidgetArea);
     QDockWidget* steps = addDock("history", tr("History"), history, Qt::RightDockWidgetArea);
+    tabifyDockWidget(materials, environment);
+    materials->raise();
     tabifyDockWidget(properties, render);
     tabifyDockWidget(render, steps);
     properties->raise();
     const int unit = fontMetrics().averageCharWidth();
     resizeDocks({objects, properties}, {unit * 40, unit * 46}, Qt::Horizontal);
-    resizeDocks({objects, environment}, {300, 340}, Qt::Vertical);
+    resizeDocks({objects, materials}, {360, 380}, Qt::Vertical);
 }
 
 void MainWindow::buildMenus() {

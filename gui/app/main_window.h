@@ -21,8 +21,11 @@ class EditController;
 class EnvironmentPicker;
 class ExportQueue;
 class FileController;
+class MaterialPanel;
+class MaterialPreviews;
 class MessageBar;
 class ObjectList;
+class PreviewRenderer;
 class PropertyPanel;
 class Renderer;
 class RenderView;
@@ -44,6 +47,8 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] ObjectList& objectList() { return *objects_; }
     [[nodiscard]] PropertyPanel& properties() { return *properties_; }
     [[nodiscard]] EnvironmentPicker& environment() { return *environment_; }
+    [[nodiscard]] MaterialPanel& materials() { return *materials_; }
+    [[nodiscard]] MaterialPreviews& materialPreviews() { return *materialPreviews_; }
     [[nodiscard]] MessageBar& messages() { return *messages_; }
     [[nodiscard]] FileController& files() { return *files_; }
     [[nodiscard]] ExportQueue& exports() { return *exports_; }
@@ -94,6 +99,9 @@ class MainWindow : public QMainWindow {
     ObjectList* objects_ = nullptr;
     PropertyPanel* properties_ = nullptr;
     EnvironmentPicker* environment_ = nullptr;
+    MaterialPanel* materials_ = nullptr;
+    PreviewRenderer* previews_ = nullptr;
+    MaterialPreviews* materialPreviews_ = nullptr;
     Actions* actions_ = nullptr;
     ViewCommands* viewCommands_ = nullptr;
     EditController* edits_ = nullptr;

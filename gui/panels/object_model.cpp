@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "gui/app/document.h"
+#include "gui/app/material_edits.h"
 #include "gui/app/text.h"
 #include "gui/widgets/icons.h"
 
@@ -223,11 +224,12 @@ Qt::ItemFlags ObjectModel::flags(const QModelIndex& index) const {
     const bool named = item.kind != ItemKind::Camera || item.id != 0;
     if (index.column() == NameColumn && named) flags |= Qt::ItemIsEditable;
     if (item.kind == ItemKind::Object || item.kind == ItemKind::Group) flags |= Qt::ItemIsDragEnabled;
-    if (item.kind == ItemKind::Group) flags |= Qt::ItemIsDropEnabled;
+    // Groups take objects, and both take a material.
+    if (item.kind == ItemKind::Group || item.kind == ItemKind::Object) flags |= Qt::ItemIsDropEnabled;
     return flags;
 }
 
-QStringList ObjectModel::mimeTypes() const { return {kMimeType}; }
+QStringList ObjectModel::mimeTypes() const { return {kMimeType, kMaterialMimeType}; }
 
 QMimeData* ObjectModel::mimeData(const QModelIndexList& indexes) const {
     QByteArray bytes;
@@ -243,6 +245,11 @@ QMimeData* ObjectModel::mimeData(const QModelIndexList& indexes) const {
 }
 
 bool ObjectModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int, int, const QModelIndex& parent) {
+    if (const auto material = draggedMaterial(data, document_.committed())) {
+        if (parent.isValid())
+            document_.edit(withAssigned(document_.committed(), objectsWithin(document_.committed(), {itemAt(parent)}), *material), tr("Assign material"));
+        return false;
+    }
     if (action != Qt::MoveAction || !data->hasFormat(kMimeType)) return false;
     GroupId group;
     if (parent.isValid()) {

@@ -6,7 +6,9 @@
 
 #include "gui/app/document.h"
 #include "gui/app/selection.h"
+#include "gui/app/material_previews.h"
 #include "gui/panels/item_forms.h"
+#include "gui/widgets/preview_ball.h"
 
 namespace glint {
 
@@ -43,9 +45,25 @@ void PropertyPanel::onChanged() {
     for (const auto& refresh : refreshes_) refresh(document_.scene());
 }
 
+void PropertyPanel::setPreviews(MaterialPreviews& previews) {
+    previews_ = &previews;
+    rebuild();
+}
+
+void PropertyPanel::showMaterial(MaterialId material) {
+    material_ = material;
+    onChanged();
+}
+
 QString PropertyPanel::structure() const {
-    if (selection_.isEmpty()) return QStringLiteral("nothing");
     const Scene& scene = document_.scene();
+    const auto materialText = [&](const std::vector<std::uint32_t>& materials) {
+        QString out;
+        for (const std::uint32_t id : materials) out += QString::number(id) + ' ' + kindText(scene.materials.at(MaterialId{id}).value);
+        for (const std::uint32_t id : texturesOf(scene, materials)) out += QString::number(id) + ' ';
+        return out;
+    };
+    if (selection_.isEmpty()) return scene.materials.find(material_) ? "material " + materialText({material_.value}) : QStringLiteral("nothing");
     const ItemKind kind = selection_.items().back().kind;
     const std::vector<std::uint32_t> ids = selectedIds(selection_);
     QString out = QString::number(static_cast<int>(kind)) + ' ' + QString::number(scene.textures.size()) + ' ';
@@ -55,11 +73,28 @@ QString PropertyPanel::structure() const {
         if (kind == ItemKind::Light) out += kindText(scene.lights.at(LightId{id}).value);
     }
     if (kind != ItemKind::Object) return out;
-    const auto materials = materialsOf(scene, ids);
-    for (const std::uint32_t id : materials)
-        out += QString::number(id) + ' ' + kindText(scene.materials.at(MaterialId{id}).value);
-    for (const std::uint32_t id : texturesOf(scene, materials)) out += QString::number(id) + ' ';
-    return out;
+    return out + materialText(materialsOf(scene, ids));
+}
+
+void PropertyPanel::addForm(QWidget* content, std::vector<std::uint32_t> targets, void (*build)(FormBuilder&)) {
+    if (targets.empty()) return;
+    FormBuilder form(document_, makeTargets(std::move(targets)), content);
+    build(form);
+    for (auto& refresh : form.takeRefreshes()) refreshes_.push_back(std::move(refresh));
+}
+
+void PropertyPanel::addMaterials(QWidget* content, const std::vector<std::uint32_t>& materials) {
+    if (previews_ && materials.size() == 1) content->layout()->addWidget(new PreviewBall(*previews_, MaterialId{materials.front()}, content));
+    addForm(content, materials, buildMaterialForm);
+    addForm(content, texturesOf(document_.scene(), materials), buildTextureForm);
+}
+
+void PropertyPanel::addHint(QWidget* content) {
+    auto* hint = new QLabel(tr("Nothing selected.\nClick an object in the picture or in the list."), content);
+    hint->setAlignment(Qt::AlignCenter);
+    hint->setWordWrap(true);
+    hint->setEnabled(false);
+    content->layout()->addWidget(hint);
 }
 
 void PropertyPanel::rebuild() {
@@ -67,35 +102,25 @@ void PropertyPanel::rebuild() {
     refreshes_.clear();
     auto* content = new QWidget(this);
     auto* layout = new QVBoxLayout(content);
-    if (selection_.isEmpty()) {
-        auto* hint = new QLabel(tr("Nothing selected.\nClick an object in the picture or in the list."), content);
-        hint->setAlignment(Qt::AlignCenter);
-        hint->setWordWrap(true);
-        hint->setEnabled(false);
-        layout->addWidget(hint);
+    const bool nothing = selection_.isEmpty(), material = nothing && document_.scene().materials.find(material_);
+    if (nothing && !material) {
+        addHint(content);
         setForm(content);
         return;
     }
-
-    const ItemKind kind = selection_.items().back().kind;
-    const std::vector<std::uint32_t> ids = selectedIds(selection_);
-    const auto add = [&](std::vector<std::uint32_t> targets, void (*build)(FormBuilder&)) {
-        if (targets.empty()) return;
-        FormBuilder form(document_, makeTargets(std::move(targets)), content);
-        build(form);
-        for (auto& refresh : form.takeRefreshes()) refreshes_.push_back(std::move(refresh));
-    };
-    switch (kind) {
-        case ItemKind::Object: {
-            add(ids, buildObjectForm);
-            const auto materials = materialsOf(document_.scene(), ids);
-            add(materials, buildMaterialForm);
-            add(texturesOf(document_.scene(), materials), buildTextureForm);
-            break;
+    if (material) {
+        addMaterials(content, {material_.value});
+    } else {
+        const std::vector<std::uint32_t> ids = selectedIds(selection_);
+        switch (selection_.items().back().kind) {
+            case ItemKind::Object:
+                addForm(content, ids, buildObjectForm);
+                addMaterials(content, materialsOf(document_.scene(), ids));
+                break;
+            case ItemKind::Group: addForm(content, ids, buildGroupForm); break;
+            case ItemKind::Light: addForm(content, ids, buildLightForm); break;
+            case ItemKind::Camera: addForm(content, ids, buildCameraForm); break;
         }
-        case ItemKind::Group: add(ids, buildGroupForm); break;
-        case ItemKind::Light: add(ids, buildLightForm); break;
-        case ItemKind::Camera: add(ids, buildCameraForm); break;
     }
     layout->addStretch(1);
     setForm(content);

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "gui/widgets/form_scroll.h"
+#include "tracer/scene/ids.h"
 
 namespace glint {
 
 class Document;
 class FormBuilder;
+class MaterialPreviews;
 class Selection;
 struct Scene;
 
@@ -20,14 +22,24 @@ class PropertyPanel : public FormScroll {
   public:
     PropertyPanel(Document& document, const Selection& selection, QWidget* parent = nullptr);
 
+    /// Gives each material section the picture of its material.
+    void setPreviews(MaterialPreviews& previews);
+    /// Shows a material while nothing is selected.
+    void showMaterial(MaterialId material);
+
   private:
     void onChanged();
     void rebuild();
     /// Text that changes whenever other rows are needed.
     [[nodiscard]] QString structure() const;
+    void addForm(QWidget* content, std::vector<std::uint32_t> targets, void (*build)(FormBuilder&));
+    void addMaterials(QWidget* content, const std::vector<std::uint32_t>& materials);
+    void addHint(QWidget* content);
 
     Document& document_;
     const Selection& selection_;
+    MaterialPreviews* previews_ = nullptr;
+    MaterialId material_;  ///< to be shown while nothing is selected
     QString builtFor_;
     std::vector<std::function<void(const Scene&)>> refreshes_;
 };
