@@ -24,20 +24,67 @@ Ray asTheTracerDoes(const SurfacePoint& point, const Vec3& wi) { return point.ra
 bool isTrueHit(const ShapeInstance& instance, const Ray& ray, double t) {
     const auto* torus = std::get_if<CanonicalTorus>(&instance.shape);
     if (!torus) return false;
-    const QuadRay local = localRay(instance, ray);
-    const auto distance = [&](Float128 at) {
-        return reference::torusDistance(*torus, local.at(at));
+    using Real = long double;
+    const Line<Real> local = localLine<Real>(instance, ray);
+    const auto distance = [&](Real at) {
+        return reference::torusDistance<Real>(torus->ratio, local.at(at));
     };
-    const Float128 h = 1e-3 / squareRoot(dot(local.d, local.d));
-    return distance(Float128(t) / 2) > 0 || distance(h) + distance(-h) < 2 * distance(0);
+    const Real h = 1e-3L / squareRoot(dot(local.d, local.d));
+    return distance(Real(t) / 2) > 0 || distance(h) + distance(-h) < 2 * distance(0);
 }
 
+/// A ray within a torus leaves where its way so far was inside, up to a sliver that rounding of the
+/// start may hide, on the surface or as near to it as the start.
+bool isTrueTorusExit(const ShapeInstance& instance, const Ray& ray, double t) {
+    using Real = long double;
+    const auto& torus = std::get<CanonicalTorus>(instance.shape);
+    const Line<Real> local = localLine<Real>(instance, ray);
+    const auto distance = [&](Real at) {
+        return static_cast<double>(reference::torusDistance<Real>(torus.ratio, local.at(at)));
+    };
+    const double band = 4 * roundingBand(instance, ray.origin) + 2 * std::abs(distance(0));
+    return distance(Real(t) / 2) < band && std::abs(distance(t)) < band;
+}
+
+/// Where a ray that goes into a convex shape comes out, by the reference; the band is that of
+/// hit_check.h.
+bool isTrueExit(const ShapeInstance& instance, const Ray& ray, double t) {
+    using Real = long double;
+    const Line<Real> local = localLine<Real>(instance, ray);
+    const double band = roundingBand(instance, ray.origin);
+    const auto exit = [&](double grow) -> Real {
+        return std::visit(
+            [&](const auto& shape) {
+                const auto found = reference::grownCrossings(shape, local, grow);
+                return found.size() > 1
+                           ? found[1]
+                           : Real(0);  // Missed by rounding: it leaves where it starts.
+            },
+            instance.shape);
+    };
+    const Real most = exit(band), least = exit(-band);
+    const double size = sizeOf(instance);
+    return Real(t) >= least - 1e-7 * size && Real(t) <= most + 1e-7 * size;
+}
+
+/// Says of a ray that starts on the shape what is wrong with its next hit there; empty: nothing.
+std::string judge(const ShapeInstance& instance, const Ray& ray, const ShapeHit& hit) {
+    const bool torus = std::holds_alternative<CanonicalTorus>(instance.shape);
+    const bool mayStay = ray.fromInside && isClosed(instance.shape) &&
+                         !std::holds_alternative<CanonicalPlane>(instance.shape);
+    if (!mayStay) return !hit.found() || isTrueHit(instance, ray, hit.t) ? "" : "meets itself";
+    if (!hit.found()) return "gets lost inside";
+    if (torus) return isTrueTorusExit(instance, ray, hit.t) ? "" : "leaves too early or too late";
+    return isTrueExit(instance, ray, hit.t) ? "" : "leaves too early or too late";
+}
+
+/// Finds `count` places on surfaces, and sends four rays from each: three back, one through.
 Tally leaveSurfaces(std::uint64_t count, const CanonicalShape& shape, double size, double away,
                     Spawn spawn) {
     return tallyInParallel(count, 8, [=](Random& random, std::uint64_t n) {
         Tally tally;
         World world({});
-        for (std::uint64_t i = 0; i < n; ++i) {
+        for (std::uint64_t i = 0; tally.checks < 4 * n; ++i) {
             if (i % 256 == 0)
                 world = World({makeInstance(shape, randomLinear(random) * size,
                                             away * size * random.direction())});
@@ -48,28 +95,30 @@ Tally leaveSurfaces(std::uint64_t count, const CanonicalShape& shape, double siz
             const ShapeHit hit = world.scene.lists.closest(ray, {});
             if (!hit.found()) continue;
             const SurfacePoint point = world.point(ray, hit);
-            tally.error(residual(shape, localRay(instance, {point.position, {}}).o, hit.face) /
-                        (1 + away));
+            tally.error(
+                residual(shape, localPoint<long double>(instance, point.position), hit.face) /
+                (1 + away));
             for (int k = 0; k < 4; ++k) {
                 ++tally.checks;
                 const Vec3 up = randomUp(random);
-                const Ray out = spawn(point, point.wo.z > 0 ? up : -up);
-                const ShapeHit again = world.scene.lists.closest(out, {});
-                if (again.found() && !isTrueHit(instance, out, again.t))
-                    tally.fail(replay(instance, out) + " t=" + std::to_string(again.t));
+                const Ray out = spawn(point, (point.wo.z > 0) == (k < 3) ? up : -up);
+                const std::string wrong = judge(instance, out, world.scene.lists.closest(out, {}));
+                if (!wrong.empty()) tally.fail(wrong + ": " + replay(instance, out));
             }
         }
         return tally;
     });
 }
 
+/// `count`: of rays, over all shapes, sizes and distances.
 void expectNoAcne(std::uint64_t count) {
+    const std::uint64_t placesEach = count / (8 * 15 * 4) + 1;
     for (const CanonicalShape& shape : oneOfEach()) {
         Tally tally;
         for (const double size : {1e-6, 1e-4, 1.0, 1e3, 1e6})
             for (const double away : {0.0, 1e3, 1e5})
-                tally.add(leaveSurfaces(count, shape, size, away, asTheTracerDoes));
-        tally.print((std::string("rays from ") + nameOf(shape)).c_str());
+                tally.add(leaveSurfaces(placesEach, shape, size, away, asTheTracerDoes));
+        tally.print(std::string("rays from ") + nameOf(shape));
         EXPECT_EQ(tally.failures, 0u) << tally.first;
         // Of the size, for every size that the centre is away: 1e6 times below the bar of 1e-6 near
         // the origin.
@@ -77,10 +126,8 @@ void expectNoAcne(std::uint64_t count) {
     }
 }
 
-TEST(Acne, RaysThatLeaveNeverMeetTheirSurface) { expectNoAcne(250); }
-TEST_F(AcneFull, RaysThatLeaveNeverMeetTheirSurface) {
-    expectNoAcne(1'000'000'000ull / (8 * 15 * 4));
-}
+TEST(Acne, RaysThatStartOnASurfaceNeverMeetItThere) { expectNoAcne(120'000); }
+TEST_F(AcneFull, RaysThatStartOnASurfaceNeverMeetItThere) { expectNoAcne(1'000'000'000); }
 
 /// The test can fail: the textbook's offset of 1e-4 along the ray is refused.
 TEST(Acne, CheckRefusesRaysThatForgetWhereTheyStart) {
@@ -90,7 +137,7 @@ TEST(Acne, CheckRefusesRaysThatForgetWhereTheyStart) {
         ray.origin += 1e-4 * ray.direction;
         return ray;
     };
-    EXPECT_GT(leaveSurfaces(250, CanonicalSphere{}, 1e6, 1e3, offset).failures, 20u);
+    EXPECT_GT(leaveSurfaces(60, CanonicalSphere{}, 1e6, 1e3, offset).failures, 20u);
 }
 
 }  // namespace

@@ -88,8 +88,7 @@ void expectAgreement(std::uint64_t count) {
     for (const int shapes : {1, 6, 30, 300})
         for (const bool dielectric : {false, true}) {
             const Tally tally = askBothQuestions(count, shapes, dielectric);
-            tally.print((std::to_string(shapes) + (dielectric ? " glass shapes" : " opaque shapes"))
-                            .c_str());
+            tally.print(std::to_string(shapes) + (dielectric ? " glass shapes" : " opaque shapes"));
             EXPECT_EQ(tally.failures, 0u) << tally.first;
         }
 }

@@ -79,7 +79,7 @@ Tally crossGap(std::uint64_t count, double gap) {
 void expectNoLeakThroughGaps(std::uint64_t count) {
     for (const double gap : {0.0, 1e-12, 1e-5, 1e-3}) {
         const Tally tally = crossGap(count, gap);
-        tally.print(("gap of " + std::to_string(gap) + " radii").c_str());
+        tally.print("gap of " + std::to_string(gap) + " radii");
         EXPECT_EQ(tally.failures, 0u) << tally.first;
     }
 }

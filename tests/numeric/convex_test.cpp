@@ -10,25 +10,6 @@ namespace {
 using namespace test;
 using ShapesFull = FullRun;
 
-/// A point on an edge, a rim, the apex, or anywhere near the shape.
-DVec3 target(Random& random, const CanonicalShape& shape) {
-    const double phi = random.uniform(0, 2 * kPi);
-    const int way = static_cast<int>(random.next() % 4);
-    if (way > 1) return random.inCube(1.2);
-    if (std::holds_alternative<CanonicalBox>(shape) ||
-        std::holds_alternative<CanonicalQuad>(shape)) {
-        DVec3 p = random.inCube(1);
-        p.x = std::copysign(1.0, p.x);
-        p.y = std::holds_alternative<CanonicalQuad>(shape) ? 0
-              : way                                        ? p.y
-                                                           : std::copysign(1.0, p.y);
-        return p;
-    }
-    const double y = std::holds_alternative<CanonicalDisk>(shape) ? 0 : way ? -1 : 1;
-    const bool apex = std::holds_alternative<CanonicalCone>(shape) && y > 0;
-    return apex ? DVec3(0, 1, 0) : DVec3(std::cos(phi), y, std::sin(phi));
-}
-
 Tally throwAt(const CanonicalShape& shape, std::uint64_t count, double distance) {
     return tallyInParallel(count, 2, [=](Random& random, std::uint64_t n) {
         Tally tally;
@@ -42,7 +23,7 @@ Tally throwAt(const CanonicalShape& shape, std::uint64_t count, double distance)
             }
             DVec3 from = distance * random.direction();
             // Along an axis, in a face's plane, down the axis itself: exact zeros in the direction.
-            DVec3 to = target(random, shape);
+            DVec3 to = random.next() % 2 == 0 ? rimPoint(random, shape) : random.inCube(1.2);
             if (random.next() % 8 == 0) to = from, to[static_cast<int>(random.next() % 3)] *= -1;
             checkHit(instance, lists,
                      rayTo(instance.center + instance.worldFromLocal * from,
@@ -58,8 +39,7 @@ void expectAgreement(std::uint64_t count) {
         if (std::holds_alternative<CanonicalTorus>(shape)) continue;  // torus_test.cpp
         for (const double distance : {2.0, 30.0, 1e4}) {
             const Tally tally = throwAt(shape, count, distance);
-            tally.print((std::string(nameOf(shape)) + " at " + std::to_string(distance) + " sizes")
-                            .c_str());
+            tally.print(std::string(nameOf(shape)) + " at " + std::to_string(distance) + " sizes");
             EXPECT_EQ(tally.failures, 0u) << tally.first;
         }
     }
@@ -67,14 +47,71 @@ void expectAgreement(std::uint64_t count) {
 
 TEST(Shapes, HitsUnderAffineTransformsAgreeWithQuadPrecision) { expectAgreement(8000); }
 TEST_F(ShapesFull, HitsUnderAffineTransformsAgreeWithQuadPrecision) {
-    expectAgreement(100'000'000 / 21);
+    expectAgreement(100'000'000 / 21 + 1);
+}
+
+/// A point of a curved side, and the unit normal there (canonical space).
+struct SidePoint {
+    DVec3 at, normal;
+};
+SidePoint sidePoint(Random& random, const CanonicalShape& shape) {
+    if (std::holds_alternative<CanonicalSphere>(shape)) {
+        const DVec3 p = random.direction();
+        return {p, p};
+    }
+    const double phi = random.uniform(0, 2 * kPi), y = random.uniform(-1, 1);
+    const DVec3 out(std::cos(phi), 0, std::sin(phi));
+    if (std::holds_alternative<CanonicalCylinder>(shape)) return {out + DVec3(0, y, 0), out};
+    return {(1 - y) / 2 * out + DVec3(0, y, 0), glm::normalize(out + DVec3(0, 0.5, 0))};
+}
+
+/// Rays that are nearly tangent to a curved side: they pass it at 0.999 to 1.00001 of its radius.
+Tally graze(const CanonicalShape& shape, std::uint64_t count, double distance) {
+    return tallyInParallel(count, 4, [=](Random& random, std::uint64_t n) {
+        Tally tally;
+        ShapeInstance instance;
+        ShapeLists lists;
+        for (std::uint64_t i = 0; i < n; ++i) {
+            if (i % 64 == 0) {
+                instance = makeInstance(shape, randomLinear(random) * random.logUniform(1e-3, 1e3),
+                                        random.inCube(1));
+                lists = ShapeLists({instance});
+            }
+            const SidePoint side = sidePoint(random, shape);
+            const DVec3 along = glm::normalize(glm::cross(side.normal, random.direction()));
+            const DVec3 to = side.at - random.uniform(-1e-5, 1e-3) * side.normal,
+                        from = to - distance * along;
+            checkHit(instance, lists,
+                     rayTo(instance.center + instance.worldFromLocal * from,
+                           instance.center + instance.worldFromLocal * to),
+                     tally);
+        }
+        return tally;
+    });
+}
+
+void expectGrazing(std::uint64_t count) {
+    for (const CanonicalShape& shape :
+         {CanonicalShape(CanonicalSphere{}), CanonicalShape(CanonicalCylinder{}),
+          CanonicalShape(CanonicalCone{})})
+        for (const double distance : {0.01, 2.0, 30.0, 1e4}) {
+            const Tally tally = graze(shape, count, distance);
+            tally.print(std::string("grazing ") + nameOf(shape) + " from " +
+                        std::to_string(distance));
+            EXPECT_EQ(tally.failures, 0u) << tally.first;
+        }
+}
+
+TEST(Shapes, GrazingHitsOfCurvedSidesAgreeWithQuadPrecision) { expectGrazing(6000); }
+TEST_F(ShapesFull, GrazingHitsOfCurvedSidesAgreeWithQuadPrecision) {
+    expectGrazing(100'000'000 / 12 + 1);
 }
 
 /// Puts random points near a surface back onto it, on the face that is nearest.
 Tally projectOnto(const CanonicalShape& shape, std::uint64_t count) {
     return tallyInParallel(count, 3, [=](Random& random, std::uint64_t n) {
         Tally tally;
-        for (std::uint64_t i = 0; i < n; ++i) {
+        while (tally.checks < n) {
             const DVec3 from = random.logUniform(2, 1e6) * random.direction(),
                         direction = glm::normalize(random.inCube(1) - from);
             std::visit(
@@ -83,7 +120,7 @@ Tally projectOnto(const CanonicalShape& shape, std::uint64_t count) {
                     if (!hit.found()) return;
                     ++tally.checks;
                     const DVec3 p = s.project(from + hit.t * direction, hit.face);
-                    const double off = residual(shape, QuadVec(p), hit.face);
+                    const double off = residual(shape, VecOf<long double>(p), hit.face);
                     tally.error(off);
                     if (!(off <= 4e-16))
                         tally.fail(std::string(nameOf(shape)) + " off by " + std::to_string(off));
@@ -102,7 +139,7 @@ Tally projectOnto(const CanonicalShape& shape, std::uint64_t count) {
 void expectResiduals(std::uint64_t count) {
     for (const CanonicalShape& shape : oneOfEach()) {
         const Tally tally = projectOnto(shape, count);
-        tally.print(("residual of " + std::string(nameOf(shape))).c_str());
+        tally.print("residual of " + std::string(nameOf(shape)));
         EXPECT_EQ(tally.failures, 0u) << tally.first;
     }
 }

@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "tests/support/paths.h"
-#include "tests/support/quad_math.h"
+#include "tests/support/reference.h"
 #include "tests/support/scenes.h"
 
 namespace glint {
@@ -110,7 +110,9 @@ SceneBuilder furnace(const Shape& shape, const Glass& glass) {
 double wayThrough(const CanonicalShape& shape, const DVec3& from, const DVec3& direction) {
     const auto roots = std::visit(
         [&](const auto& s) {
-            return test::reference::crossings(s, {test::QuadVec(from), test::QuadVec(direction)});
+            return test::reference::crossings(
+                s, test::Line<long double>{test::VecOf<long double>(from),
+                                           test::VecOf<long double>(direction)});
         },
         shape);
     double sum = 0;

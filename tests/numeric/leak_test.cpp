@@ -17,6 +17,19 @@ DVec3 innerPoint(Random& random, const CanonicalShape& shape) {
     }
 }
 
+/// The next ray of a path inside: at random, or aimed exactly at an edge, a rim or the apex.
+Ray next(Random& random, const World& world, const SurfacePoint& point) {
+    const ShapeInstance& wall = world.scene.shapes[0];
+    if (random.next() % 4 == 0) {
+        Ray ray =
+            rayTo(point.position, wall.center + wall.worldFromLocal * rimPoint(random, wall.shape));
+        ray.fromShape = point.shape;
+        ray.fromInside = true;
+        if (glm::dot(ray.direction, point.frame.n) < 0) return ray;
+    }
+    return point.ray(-randomUp(random));
+}
+
 /// A path that bounces about inside a closed shape, and from each place looks for a light outside.
 Tally bounceInside(std::uint64_t count, const CanonicalShape& shape) {
     return tallyInParallel(count, 9, [=](Random& random, std::uint64_t n) {
@@ -50,7 +63,7 @@ Tally bounceInside(std::uint64_t count, const CanonicalShape& shape) {
             // without a shadow ray.
             if (wi.z < 0 && !world.scene.lists.occluded(shadow, {}, glm::length(to), kNoShape))
                 tally.fail(replay(world.scene.shapes[0], shadow));
-            ray = point.ray(-randomUp(random));
+            ray = next(random, world, point);
         }
         return tally;
     });
@@ -60,7 +73,7 @@ void expectNoLeaks(std::uint64_t count) {
     for (const CanonicalShape& shape : oneOfEach()) {
         if (!isClosed(shape) || std::holds_alternative<CanonicalPlane>(shape)) continue;
         const Tally tally = bounceInside(count, shape);
-        tally.print((std::string("inside ") + nameOf(shape)).c_str());
+        tally.print(std::string("inside ") + nameOf(shape));
         EXPECT_EQ(tally.failures, 0u) << tally.first;
     }
 }

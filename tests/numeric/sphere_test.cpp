@@ -40,7 +40,7 @@ Tally throwAtBalls(std::uint64_t count, double distance, double low, double high
 void expectBalls(std::uint64_t count) {
     for (const double distance : {1.0001, 1.01, 1.5, 3.0, 1e2, 1e4, 1e6}) {
         const Tally tally = throwAtBalls(count, distance, 0, 0.99);
-        tally.print(("ball at " + std::to_string(distance) + " radii").c_str());
+        tally.print("ball at " + std::to_string(distance) + " radii");
         EXPECT_EQ(tally.failures, 0u) << tally.first;
         EXPECT_LE(tally.worst, 1);
     }
@@ -48,15 +48,15 @@ void expectBalls(std::uint64_t count) {
 void expectGrazing(std::uint64_t count) {
     for (const double distance : {1.01, 1.5, 3.0, 1e2, 1e4, 1e6}) {
         const Tally tally = throwAtBalls(count, distance, 0.999, 1.00001);
-        tally.print(("grazing at " + std::to_string(distance) + " radii").c_str());
+        tally.print("grazing at " + std::to_string(distance) + " radii");
         EXPECT_EQ(tally.failures, 0u) << tally.first;
     }
 }
 
 TEST(Sphere, HitsAgreeWithQuadPrecisionAtEveryDistance) { expectBalls(20000); }
 TEST(Sphere, GrazingHitsAgreeWithQuadPrecision) { expectGrazing(20000); }
-TEST_F(SphereFull, HitsAgreeWithQuadPrecisionAtEveryDistance) { expectBalls(100'000'000 / 7); }
-TEST_F(SphereFull, GrazingHitsAgreeWithQuadPrecision) { expectGrazing(100'000'000 / 6); }
+TEST_F(SphereFull, HitsAgreeWithQuadPrecisionAtEveryDistance) { expectBalls(100'000'000 / 7 + 1); }
+TEST_F(SphereFull, GrazingHitsAgreeWithQuadPrecision) { expectGrazing(100'000'000 / 6 + 1); }
 
 TEST(Sphere, FrontHitComesBeforeInsideHit) {
     const CanonicalSphere sphere;

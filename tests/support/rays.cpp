@@ -1,12 +1,49 @@
 #include "tests/support/rays.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <thread>
 #include <vector>
 
 #include "tracer/render/worker_pool.h"
 
 namespace glint::test {
+
+namespace {
+
+/// Of the running test: all that it has printed.
+Tally printed;
+
+}  // namespace
+
+void Tally::print(const std::string& what) const {
+    std::printf("    %-34s %12" PRIu64 " checks, %" PRIu64 " failures, worst %.3g\n", what.c_str(),
+                checks, failures, worst);
+    std::fflush(stdout);  // A full test takes minutes.
+    printed.add(*this);
+}
+
+void FullRun::SetUp() {
+    if (!fullRun()) GTEST_SKIP() << "a long test; set GLINT_FULL=1";
+    printed = {};
+    start_ = std::chrono::steady_clock::now();
+}
+
+void FullRun::TearDown() {
+    if (IsSkipped()) return;
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    const std::string name = std::string(test->test_suite_name()) + "." + test->name();
+    std::printf("    %s: %" PRIu64 " checks, %" PRIu64 " failures in %.0f s\n", name.c_str(),
+                printed.checks, printed.failures, seconds);
+    const char* path = std::getenv("GLINT_RECORD");
+    std::FILE* record = path ? std::fopen(path, "a") : nullptr;
+    if (!record) return;
+    std::fprintf(record, "%s\t%" PRIu64 "\t%" PRIu64 "\t%.3g\t%.1f\n", name.c_str(), printed.checks,
+                 printed.failures, printed.worst, seconds);
+    std::fclose(record);
+}
 
 Tally tallyInParallel(std::uint64_t total, std::uint64_t seed,
                       const std::function<Tally(Random&, std::uint64_t)>& piece) {

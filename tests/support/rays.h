@@ -2,6 +2,7 @@
 // for the full counts.
 #pragma once
 
+#include <chrono>
 #include <cinttypes>
 #include <cstdint>
 #include <cstdio>
@@ -90,6 +91,32 @@ inline constexpr const char* kShapeNames[] = {"sphere", "box",      "plane", "qu
     return std::visit([](const auto& s) { return s.closed; }, shape);
 }
 
+/// A point on an edge, a corner, a rim or the apex; of balls and tori, which have none, any point
+/// near the surface.
+[[nodiscard]] inline DVec3 rimPoint(Random& random, const CanonicalShape& shape) {
+    const double phi = random.uniform(0, 2 * kPi);
+    const bool upper = random.next() % 2 == 0;
+    if (std::holds_alternative<CanonicalBox>(shape) ||
+        std::holds_alternative<CanonicalQuad>(shape)) {
+        DVec3 p = random.inCube(1);
+        const std::uint32_t along = random.next() % 4;  // The edge's direction; 3: a corner.
+        for (std::uint32_t axis = 0; axis < 3; ++axis)
+            if (axis != along)
+                p[static_cast<int>(axis)] = std::copysign(1.0, p[static_cast<int>(axis)]);
+        if (std::holds_alternative<CanonicalQuad>(shape)) p.y = 0;
+        return p;
+    }
+    if (const auto* torus = std::get_if<CanonicalTorus>(&shape)) {
+        const double r = 1 + torus->ratio * std::cos(phi), around = random.uniform(0, 2 * kPi);
+        return {r * std::cos(around), torus->ratio * std::sin(phi), r * std::sin(around)};
+    }
+    if (std::holds_alternative<CanonicalSphere>(shape)) return random.direction();
+    if (std::holds_alternative<CanonicalCone>(shape) && upper) return {0, 1, 0};
+    const bool flat = std::holds_alternative<CanonicalDisk>(shape) ||
+                      std::holds_alternative<CanonicalPlane>(shape);
+    return {std::cos(phi), flat ? 0 : upper ? 1 : -1, std::sin(phi)};
+}
+
 /// A unit direction; the tracer takes no other.
 [[nodiscard]] inline Ray rayTo(const DVec3& origin, const DVec3& target) {
     return {origin, glm::normalize(target - origin)};
@@ -134,10 +161,8 @@ struct Tally {
         checks += other.checks, failures += other.failures;
         error(other.worst);
     }
-    void print(const char* what) const {
-        std::printf("    %-34s %12" PRIu64 " checks, %" PRIu64 " failures, worst %.3g\n", what,
-                    checks, failures, worst);
-    }
+    /// Prints one line, and adds it to the running full test's entry in the record (FullRun).
+    void print(const std::string& what) const;
 };
 
 /// Runs `piece(random, count)` for `total` cases in pieces with fixed seeds, on all processors, and
@@ -145,12 +170,16 @@ struct Tally {
 [[nodiscard]] Tally tallyInParallel(std::uint64_t total, std::uint64_t seed,
                                     const std::function<Tally(Random&, std::uint64_t)>& piece);
 
-/// Base of the suites named *Full: the counts that take minutes, on request only.
+/// Base of the suites named *Full: the counts that take minutes, on request only. Where
+/// GLINT_RECORD names a file, each test appends a line to it: name, checks, failures, worst error,
+/// seconds, separated by tabs; glint-numeric-table makes a table of them.
 class FullRun : public testing::Test {
   protected:
-    void SetUp() override {
-        if (!fullRun()) GTEST_SKIP() << "a long test; set GLINT_FULL=1";
-    }
+    void SetUp() override;
+    void TearDown() override;
+
+  private:
+    std::chrono::steady_clock::time_point start_;
 };
 
 }  // namespace glint::test

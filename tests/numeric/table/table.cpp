@@ -35,7 +35,7 @@ double distanceOff(const Column& column, const Ray& ray, const DVec3& center, do
                    double t) {
     const DVec3 local = (ray.origin - center) / radius + t * (ray.direction / radius);
     if (column.t == ours)
-        return residual(CanonicalSphere{}, QuadVec(CanonicalSphere{}.project(local, 0)), 0);
+        return residual(CanonicalSphere{}, VecOf<Float128>(CanonicalSphere{}.project(local, 0)), 0);
     if (column.t == rivals::naive<double>) return std::abs(glm::length(local) - 1);
     const Vec3 p = Vec3(ray.origin) + static_cast<float>(t) * Vec3(ray.direction);
     return std::abs(glm::length(DVec3(p) - center) / radius - 1);
@@ -59,7 +59,7 @@ void printRow(double distance, double low, double high, std::uint64_t count) {
                       toDouble(toFloat(sine * side - cosine * away))};
         const DVec3 center(0.0);
         const ShapeInstance ball = makeInstance(CanonicalSphere{}, DMat3(radius), center);
-        const auto exact = firstReference(ball.shape, localRay(ball, ray));
+        const auto exact = firstReference(ball.shape, localLine<Float128>(ball, ray));
         for (Column& column : columns) {
             const double t = column.t(ray.origin, ray.direction, center, radius);
             if ((t < kInfinity) != exact.has_value()) {
