@@ -4,6 +4,8 @@ set -euo pipefail
 
 root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 release=$root/build/release
+# What libraries of the system leak; our own leaks still count.
+leak_suppressions=suppressions=$root/tests/support/lsan.supp:print_suppressions=0
 case ${GLINT_GUI:-ON} in
     OFF | off | 0 | no) gui_option=-DGLINT_GUI=OFF ;;
     *) gui_option=-DGLINT_GUI=ON ;;
@@ -161,21 +163,20 @@ stage() {
 
 test_sanitizer() {
     build "$@"
-    # Qt and fontconfig keep what they allocate once; our own leaks still count.
-    local leaks=suppressions=$root/tests/support/lsan.supp:print_suppressions=0
-    LSAN_OPTIONS=$leaks run_ctest "$1" -LE full
+    LSAN_OPTIONS=$leak_suppressions run_ctest "$1" -LE full
 }
 
-# Each fuzz target for 60 s, starting from its corpus; new inputs stay in the build folder.
+# Each fuzz target for 60 s (GLINT_FUZZ_SECONDS), starting from its corpus; new inputs stay in the build folder.
 fuzz() {
     build fuzz
+    export LSAN_OPTIONS=$leak_suppressions
     local target name
     for target in "$root"/build/fuzz/glint-fuzz-*; do
         [[ -x $target ]] || fail "no fuzz targets in build/fuzz"
         name=${target##*/glint-fuzz-}
         mkdir -p "$root/build/fuzz/corpus/$name"
-        (cd "$root/build/fuzz" && "$target" -max_total_time=60 -timeout=1 -print_final_stats=1 \
-            "corpus/$name" "$root/tests/fuzz/corpus/$name")
+        (cd "$root/build/fuzz" && "$target" -max_total_time="${GLINT_FUZZ_SECONDS:-60}" -timeout=1 -rss_limit_mb=4096 \
+            -print_final_stats=1 "corpus/$name" "$root/tests/fuzz/corpus/$name")
     done
 }
 
