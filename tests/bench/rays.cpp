@@ -224,7 +224,7 @@ int runRays(const std::string& jsonFile) {
     const std::vector<BenchRay> rays = makeRays();
     Json rows = Json::array();
     for (const char* kind : {"balls", "mixed"})
-        for (const std::size_t count : {1, 2, 3, 4, 8, 16, 64, 128, 129, 1000, 100000})
+        for (const std::size_t count : {1u, 2u, 3u, 4u, 8u, 16u, 64u, 128u, 129u, 1000u, 100000u})
             measure(kind, count, rays, rows);
     return writeJson(jsonFile, rows) ? kOk : kCannotWrite;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "tests/support/paths.h"
 #include "tests/support/temp_folder.h"
 #include "tracer/color/display.h"
 #include "tracer/io/film_exr.h"
@@ -39,6 +40,15 @@ const ImageMetadata kMetadata{{"glint:sceneHash", "0123456789abcdef"},
                               {"glint:seed", "7"},
                               {"glint:spp", "64"},
                               {"glint:version", "0.1.0"}};
+
+/// Found by fuzzing: the library would make and clear two gigabytes for it.
+TEST(ImageFile, AnExrAttributeLongerThanTheFileIsRefused) {
+    const auto loaded =
+        loadExr(test::inSource("tests/fuzz/corpus/exr/attribute_longer_than_file.exr"));
+    ASSERT_FALSE(loaded);
+    EXPECT_NE(loaded.error().text().find("is longer than the file"), std::string::npos)
+        << loaded.error().text();
+}
 
 TEST(ImageFile, ExrKeepsEveryFloatAndTheMetadata) {
     const TempFolder folder;

@@ -54,8 +54,9 @@ void addPictureOptions(CLI::App& app, Options& options) {
            "Size of the picture")
         ->type_name("WxH");
     app.add_option("--spp", options.spp, "Samples a pixel")->type_name("N");
-    app.add_option("--error", options.errorPercent,
-                   "Error of the picture to stop at, in percent of its mean brightness; 0 is no limit")
+    app.add_option(
+           "--error", options.errorPercent,
+           "Error of the picture to stop at, in percent of its mean brightness; 0 is no limit")
         ->type_name("PERCENT");
     app.add_option("--time", options.timeSeconds, "Seconds to stop after; 0 is no limit")
         ->type_name("S");
@@ -149,10 +150,12 @@ std::optional<Error> put(const char* option, const std::optional<Value>& value, 
     if (!value) return std::nullopt;
     std::optional<Error> error;
     forEachField(section, [&](std::string_view, const FieldMeta& meta, auto& member) {
-        if constexpr (std::is_arithmetic_v<Value> &&
-                      std::is_same_v<Value, std::remove_reference_t<decltype(member)>>)
-            if (&member == &(section.*target) && !(*value >= meta.min && *value <= meta.max))
+        using Member = std::remove_reference_t<decltype(member)>;
+        if constexpr (std::is_arithmetic_v<Member> && std::is_same_v<Value, Member>) {
+            const Member wanted = *value;
+            if (&member == &(section.*target) && !(wanted >= meta.min && wanted <= meta.max))
                 error = optionError(option, "is out of range", rangeText(meta));
+        }
     });
     if (!error) section.*target = *value;
     return error;

@@ -8,8 +8,11 @@
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 
 #include "tracer/io/atomic_file.h"
@@ -100,9 +103,10 @@ ExrFile readPixels(Imf::InputFile& input) {
         buffer.insert(channel.name,
                       sliceOf(channel.values.data(), window.min.x, window.min.y, out.width));
     input.setFrameBuffer(buffer);
-    constexpr int kRows = 64;
-    for (int done = 0; done < out.height; done += kRows) {
-        const int rows = std::min(kRows, out.height - done);
+    // A few megabytes a channel at a time: a broken file ends the reading before it has cost much.
+    const int most = std::clamp((1 << 20) / out.width, 1, 64);
+    for (int done = 0; done < out.height; done += most) {
+        const int rows = std::min(most, out.height - done);
         for (ExrChannel& channel : out.channels)
             channel.values.resize(static_cast<std::size_t>(done + rows) *
                                   static_cast<std::size_t>(out.width));
@@ -117,6 +121,40 @@ void limitImageSize() {
     constexpr int kLongestSide = 1 << 20;
     static const bool done = (Imf::Header::setMaxImageSize(kLongestSide, kLongestSide), true);
     static_cast<void>(done);
+}
+
+/// Refuses a header one of whose attributes claims more bytes than the file has: the library makes
+/// room for them before it looks. Whatever else is wrong with the header is left for the library to
+/// say.
+void checkAttributeSizes(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    const auto fileSize = static_cast<std::int64_t>(std::filesystem::file_size(path));
+    constexpr std::int64_t kMagicAndVersion = 8;
+    constexpr std::uint32_t kMultiPart = 1u << 12;
+    std::array<char, kMagicAndVersion> start{};
+    if (!file.read(start.data(), kMagicAndVersion)) return;
+    std::uint32_t version = 0;
+    std::memcpy(&version, start.data() + 4, sizeof version);
+    const auto text = [&](std::string& out) {
+        return static_cast<bool>(std::getline(file, out, '\0'));
+    };
+    std::string name, type;
+    bool inHeader = false;
+    while (text(name)) {
+        if (name.empty()) {  // Ends a header; the list of those of a multi-part file ends with an
+                             // empty one.
+            if ((version & kMultiPart) == 0 || !inHeader) return;
+            inHeader = false;
+            continue;
+        }
+        inHeader = true;
+        std::int32_t size = 0;
+        if (!text(type) || !file.read(reinterpret_cast<char*>(&size), sizeof size)) return;
+        if (size < 0 || size > fileSize - file.tellg())
+            throw std::runtime_error("attribute " + name.substr(0, 64) +
+                                     " is longer than the file");
+        file.seekg(size, std::ios::cur);
+    }
 }
 
 Error exrError(const std::filesystem::path& path, const std::string& what, const std::string& why,
@@ -149,6 +187,7 @@ Result<ExrFile> loadExr(const std::filesystem::path& path) {
         return exrError(path, "cannot be read", "no such file", "check the path");
     try {
         limitImageSize();
+        checkAttributeSizes(path);
         Imf::InputFile input(path.c_str(), 0);
         return readPixels(input);
     } catch (const std::exception& problem) {

@@ -10,9 +10,9 @@
 
 namespace {
 
-/// Rows read at a time, so that a truncated file ends the reading before the whole picture's memory
-/// is touched.
-constexpr int kRows = 64;
+/// Rows of scanlines read at a time: some megabytes, so that a broken file ends the reading before the
+/// whole picture's memory is touched.
+int rowsAtATime(int width) { return std::clamp((1 << 20) / width, 1, 64); }
 constexpr int kJpegQuality = 95;
 
 std::string reason(std::string text) {
@@ -104,7 +104,7 @@ void readPicture(const char* path, const GlintPictureSink& sink) {
         throw std::runtime_error("more than 1 Gpixel, or than the memory holds");
 
     const int channels = spec.nchannels >= 3 ? 3 : 1;
-    const int step = spec.tile_width > 0 ? spec.tile_height : kRows;
+    const int step = spec.tile_width > 0 ? spec.tile_height : rowsAtATime(spec.width);
     for (int y = 0; y < spec.height; y += step) {
         const int count = std::min(step, spec.height - y);
         float* rows = sink.rows(sink.context, count);
