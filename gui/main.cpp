@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
     if (wanted.size() == 2) window.resize(wanted[0].toInt(), wanted[1].toInt());
     else if (visit || window.width() < 900) window.resize(1440, 900);
     if (!parser.positionalArguments().isEmpty()) window.files().load(glint::toPath(parser.positionalArguments().first()));
+    else if (window.preferences().values().startPage) window.showStartPage();
     window.show();
     if (visit) takeScreenshotLater(&window, parser.value(screenshot), parser.value(after).toInt());
     return QApplication::exec();

@@ -1,6 +1,8 @@
 #include "gui/app/actions.h"
 
 #include <QMenu>
+#include <QRegularExpression>
+#include <QSettings>
 #include <QWidget>
 
 #include "gui/widgets/icons.h"
@@ -22,6 +24,7 @@ struct ActionRow {
 #define T(text) QT_TRANSLATE_NOOP("Actions", text)
 constexpr ActionRow kRows[] = {
     {"file.new", T("&New"), "Ctrl+N", "new", T("Start a new scene")},
+    {"file.startPage", T("S&tart page"), "", "grid", T("Templates, demos and recent files")},
     {"file.open", T("&Open…"), "Ctrl+O", "open", T("Open a scene file")},
     {"file.save", T("&Save"), "Ctrl+S", "save", T("Save the scene")},
     {"file.saveAs", T("Save &as…"), "Ctrl+Shift+S", "", T("Save the scene under another name")},
@@ -87,20 +90,66 @@ QList<QKeySequence> sequences(const char* keys) {
 
 }  // namespace
 
-Actions::Actions(QWidget* window) : QObject(window) {
+namespace {
+
+QString settingOf(const QString& id) { return "shortcuts/" + id; }
+
+/// What the person chose for the action, else the table's keys.
+QList<QKeySequence> keptKeys(Memory memory, const ActionRow& row) {
+    if (memory == Memory::None) return sequences(row.keys);
+    const QVariant kept = QSettings().value(settingOf(row.id));
+    return kept.isValid() ? sequences(kept.toString().toLatin1().constData()) : sequences(row.keys);
+}
+
+void showKeysInTip(QAction* action) {
+    const QString key = action->shortcut().toString(QKeySequence::NativeText);
+    action->setToolTip(key.isEmpty() ? action->statusTip() : QStringLiteral("%1 (%2)").arg(action->statusTip(), key));
+}
+
+}  // namespace
+
+Actions::Actions(QWidget* window, Memory memory) : QObject(window), memory_(memory) {
     for (const ActionRow& row : kRows) {
         auto* action = new QAction(tr(row.text), this);
         action->setObjectName(row.id);
-        action->setShortcuts(sequences(row.keys));
+        action->setShortcuts(keptKeys(memory, row));
         action->setCheckable(row.checkable);
         if (*row.icon) action->setIcon(icon(row.icon));
-        const QString key = action->shortcut().toString(QKeySequence::NativeText);
-        action->setToolTip(key.isEmpty() ? tr(row.tip) : QStringLiteral("%1 (%2)").arg(tr(row.tip), key));
         action->setStatusTip(tr(row.tip));
+        showKeysInTip(action);
         byId_[row.id] = action;
         ordered_.push_back(action);
         window->addAction(action);
     }
+}
+
+QString Actions::plainText(const QAction* action) {
+    QString text = action->text().remove(QStringLiteral("…"));
+    // "文件(&F)": the mnemonic stands in brackets where letters are not of the alphabet.
+    static const QRegularExpression brackets(QStringLiteral("\\(&.\\)"));
+    return text.remove(brackets).remove('&');
+}
+
+void Actions::setKeys(QAction* action, const QKeySequence& keys) {
+    action->setShortcuts(keys.isEmpty() ? QList<QKeySequence>() : QList{keys});
+    showKeysInTip(action);
+    if (memory_ == Memory::Settings) QSettings().setValue(settingOf(action->objectName()), keys.toString(QKeySequence::PortableText));
+}
+
+void Actions::resetKeys() {
+    for (const ActionRow& row : kRows) {
+        QAction* action = (*this)[row.id];
+        action->setShortcuts(sequences(row.keys));
+        showKeysInTip(action);
+        if (memory_ == Memory::Settings) QSettings().remove(settingOf(row.id));
+    }
+}
+
+const QAction* Actions::userOf(const QKeySequence& keys) const {
+    if (keys.isEmpty()) return nullptr;
+    for (const QAction* action : ordered_)
+        if (action->shortcuts().contains(keys)) return action;
+    return nullptr;
 }
 
 QAction* Actions::operator[](const char* id) const {

@@ -6,6 +6,8 @@
 #include <map>
 #include <vector>
 
+#include "gui/app/memory.h"
+
 class QMenu;
 class QWidget;
 
@@ -15,8 +17,8 @@ class Actions : public QObject {
     Q_OBJECT
 
   public:
-    /// Makes all actions and adds them to `window`, so that their keys work.
-    explicit Actions(QWidget* window);
+    /// Makes all actions and adds them to `window`, so that their keys work: those that the person chose, else the table's.
+    Actions(QWidget* window, Memory memory);
 
     /// The action with this id of the table in actions.cpp.
     [[nodiscard]] QAction* operator[](const char* id) const;
@@ -24,6 +26,13 @@ class Actions : public QObject {
     [[nodiscard]] const std::vector<QAction*>& all() const { return ordered_; }
     /// Heading under which the shortcut sheet lists the action.
     [[nodiscard]] static QString groupOf(const QAction* action);
+    /// The action's name without mnemonic and dots.
+    [[nodiscard]] static QString plainText(const QAction* action);
+    /// Gives the action other keys, and keeps them.
+    void setKeys(QAction* action, const QKeySequence& keys);
+    void resetKeys();
+    /// The action that has these keys, if any.
+    [[nodiscard]] const QAction* userOf(const QKeySequence& keys) const;
     /// Adds actions by id; "-" is a separator.
     void fill(QMenu* menu, std::initializer_list<const char*> ids) const;
 
@@ -33,6 +42,7 @@ class Actions : public QObject {
     }
 
   private:
+    Memory memory_;
     std::map<QString, QAction*> byId_;
     std::vector<QAction*> ordered_;
 };

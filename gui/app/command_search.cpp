@@ -12,8 +12,6 @@ namespace glint {
 
 namespace {
 
-QString plainText(const QAction* action) { return action->text().remove('&').remove(QStringLiteral("…")); }
-
 /// All letters of `wanted` stand in `text` in this order.
 bool matches(const QString& text, const QString& wanted) {
     qsizetype at = 0;
@@ -63,13 +61,13 @@ void CommandSearch::filter(const QString& text) {
     list_->clear();
     std::vector<QAction*> found;
     for (QAction* action : actions_.all())
-        if (action->isEnabled() && matches(plainText(action) + ' ' + Actions::groupOf(action) + ' ' + action->statusTip(), text))
+        if (action->isEnabled() && matches(Actions::plainText(action) + ' ' + Actions::groupOf(action) + ' ' + action->statusTip(), text))
             found.push_back(action);
     std::stable_sort(found.begin(), found.end(), [&](const QAction* a, const QAction* b) {
-        return rankOf(plainText(a), text) < rankOf(plainText(b), text);
+        return rankOf(Actions::plainText(a), text) < rankOf(Actions::plainText(b), text);
     });
     for (QAction* action : found) {
-        const QString name = plainText(action);
+        const QString name = Actions::plainText(action);
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         auto* item = new QListWidgetItem(action->icon(), keys.isEmpty() ? name : QStringLiteral("%1   (%2)").arg(name, keys), list_);
         item->setToolTip(action->statusTip());

@@ -88,6 +88,14 @@ void FileController::newScene() {
     whenSafe([this] { document_.replace(starterScene(), {}); });
 }
 
+void FileController::newFrom(const std::filesystem::path& file) {
+    whenSafe([this, file] {
+        const auto scene = loadScene(file);
+        if (!scene.ok()) return messages_.show(MessageBar::Level::Error, tr("Not opened: %1").arg(toQString(scene.error())));
+        document_.replace(withAssetsFrom(scene.value(), std::filesystem::absolute(file).parent_path(), {}), {});
+    });
+}
+
 void FileController::browse() {
     auto* dialog = new QFileDialog(window_, tr("Open a scene"), pathText(document_.assetFolder()));
     dialog->setAttribute(Qt::WA_DeleteOnClose);

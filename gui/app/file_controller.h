@@ -21,6 +21,8 @@ class FileController : public QObject {
     FileController(Document& document, MessageBar& messages, Memory memory, QWidget* window);
 
     void newScene();
+    /// Asks about unsaved changes, then starts an untitled scene as a copy of that file.
+    void newFrom(const std::filesystem::path& file);
     void browse();
     /// Asks about unsaved changes, then opens.
     void open(const std::filesystem::path& file);

@@ -7,11 +7,13 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QListView>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QShortcut>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QUndoView>
 #include <QVBoxLayout>
@@ -23,9 +25,12 @@
 #include "gui/app/export_queue.h"
 #include "gui/app/file_controller.h"
 #include "gui/app/material_previews.h"
+#include "gui/app/message_log.h"
 #include "gui/app/preferences_dialog.h"
 #include "gui/app/preview_renderer.h"
 #include "gui/app/renderer.h"
+#include "gui/app/resources.h"
+#include "gui/app/scene_thumbnails.h"
 #include "gui/app/shortcut_sheet.h"
 #include "gui/app/text.h"
 #include "gui/app/theme.h"
@@ -35,6 +40,8 @@
 #include "gui/panels/object_list.h"
 #include "gui/panels/property_panel.h"
 #include "gui/panels/render_panel.h"
+#include "gui/panels/start_page.h"
+#include "gui/panels/statistics_panel.h"
 #include "gui/panels/thumbnails.h"
 #include "gui/viewport/material_drop.h"
 #include "gui/viewport/render_view.h"
@@ -58,7 +65,9 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
     exports_ = new ExportQueue(*messages_, this);
     previews_ = new PreviewRenderer(this);
     materialPreviews_ = new MaterialPreviews(document_, *previews_, this);
+    thumbnails_ = new SceneThumbnails(*previews_, memory_, this);
     new MaterialDrop(*view_);
+    connect(&document_, &Document::replaced, this, &MainWindow::hideStartPage);
     connectSavedViews();
     connect(&document_, &Document::titleChanged, this, &MainWindow::updateTitle);
     connect(&preferences_, &Preferences::changed, this, &MainWindow::applyPreferences);
@@ -73,7 +82,7 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
 }
 
 void MainWindow::buildInterface() {
-    actions_ = new Actions(this);
+    actions_ = new Actions(this, memory_);
     search_ = new CommandSearch(*actions_, this);
     status_ = new StatusLine(this);
     statusBar()->addWidget(status_, 1);
@@ -114,7 +123,10 @@ void MainWindow::buildCenter() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(messages_);
-    layout->addWidget(view_, 1);
+    pages_ = new QStackedWidget(center);
+    pages_->addWidget(view_);
+    layout->addWidget(pages_, 1);
+    log_ = new MessageLog(*messages_, this);
     setCentralWidget(center);
     statusBar()->setSizeGripEnabled(false);
 }
@@ -129,7 +141,7 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
 
 void MainWindow::buildDocks() {
     objects_ = new ObjectList(document_, selection_, this);
-    environment_ = new EnvironmentPicker(document_, std::filesystem::path(GLINT_RESOURCE_DIR) / "env", this);
+    environment_ = new EnvironmentPicker(document_, environmentFolder(), this);
     properties_ = new PropertyPanel(document_, selection_, this);
     properties_->setPreviews(*materialPreviews_);
     materials_ = new MaterialPanel(document_, selection_, *materialPreviews_, this);
@@ -143,10 +155,21 @@ void MainWindow::buildDocks() {
     QDockWidget* properties = addDock("properties", tr("Properties"), properties_, Qt::RightDockWidgetArea);
     QDockWidget* render = addDock("render", tr("Render"), new RenderPanel(document_, this), Qt::RightDockWidgetArea);
     QDockWidget* steps = addDock("history", tr("History"), history, Qt::RightDockWidgetArea);
+    auto* lines = new QListView(this);
+    lines->setModel(log_);
+    lines->setWordWrap(true);
+    lines->setAccessibleName(tr("Log"));
+    QDockWidget* statistics = addDock("statistics", tr("Statistics"), new StatisticsPanel(document_, *renderer_, this), Qt::RightDockWidgetArea);
+    QDockWidget* log = addDock("log", tr("Log"), lines, Qt::RightDockWidgetArea);
     tabifyDockWidget(materials, environment);
     materials->raise();
     tabifyDockWidget(properties, render);
     tabifyDockWidget(render, steps);
+    tabifyDockWidget(steps, statistics);
+    tabifyDockWidget(statistics, log);
+    // Seldom wanted, and five tabs would cut each other's names: the Window menu shows them.
+    statistics->hide();
+    log->hide();
     properties->raise();
     const int unit = fontMetrics().averageCharWidth();
     resizeDocks({objects, properties}, {unit * 40, unit * 46}, Qt::Horizontal);
@@ -160,7 +183,11 @@ void MainWindow::buildMenus() {
         actions_->fill(added, ids);
         return added;
     };
-    QMenu* file = menu(tr("&File"), {"file.new", "file.open"});
+    QMenu* file = menu(tr("&File"), {"file.new"});
+    QMenu* templates = file->addMenu(tr("New from &template"));
+    for (const auto& path : sceneFiles(templateFolder()))
+        connect(templates->addAction(sceneTitle(path)), &QAction::triggered, this, [this, path] { files_->newFrom(path); });
+    actions_->fill(file, {"file.startPage", "-", "file.open"});
     QMenu* recent = file->addMenu(tr("Open &recent"));
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(recent); });
     actions_->fill(file, {"-", "file.save", "file.saveAs", "-", "file.export", "-", "file.quit"});
@@ -195,6 +222,7 @@ void MainWindow::fillRecentMenu(QMenu* menu) {
 
 void MainWindow::connectFileActions() {
     actions_->on("file.new", files_, &FileController::newScene);
+    actions_->on("file.startPage", this, &MainWindow::showStartPage);
     actions_->on("file.open", files_, &FileController::browse);
     actions_->on("file.save", files_, &FileController::save);
     actions_->on("file.saveAs", files_, &FileController::saveAs);
@@ -358,7 +386,26 @@ void MainWindow::openExport() {
     dialog->show();
 }
 
-void MainWindow::openPreferences() { (new PreferencesDialog(preferences_, this))->show(); }
+void MainWindow::openPreferences() { (new PreferencesDialog(preferences_, *actions_, this))->show(); }
+
+void MainWindow::showStartPage() {
+    hideStartPage();
+    auto* page = new StartPage(*thumbnails_, files_->recent(), pages_);
+    connect(page, &StartPage::openRequested, files_, &FileController::open);
+    connect(page, &StartPage::templateRequested, files_, &FileController::newFrom);
+    connect(page, &StartPage::browseRequested, files_, &FileController::browse);
+    connect(page, &StartPage::closed, this, &MainWindow::hideStartPage);
+    pages_->setCurrentIndex(pages_->addWidget(page));
+    page->setFocus();
+}
+
+void MainWindow::hideStartPage() {
+    QWidget* page = pages_->widget(1);
+    if (!page) return;
+    pages_->removeWidget(page);
+    page->deleteLater();
+    view_->setFocus();
+}
 
 void MainWindow::applyPreferences(const PreferenceValues& before) {
     const PreferenceValues& now = preferences_.values();
@@ -378,6 +425,7 @@ void MainWindow::changeEvent(QEvent* event) {
     buildInterface();
     restoreState(layout);
     if (preferencesOpen) openPreferences();
+    if (pages_->count() > 1) showStartPage();
 }
 
 void MainWindow::openDropped(const std::filesystem::path& file) {

@@ -12,6 +12,7 @@
 
 class QDockWidget;
 class QMenu;
+class QStackedWidget;
 
 namespace glint {
 
@@ -24,11 +25,13 @@ class FileController;
 class MaterialPanel;
 class MaterialPreviews;
 class MessageBar;
+class MessageLog;
 class ObjectList;
 class PreviewRenderer;
 class PropertyPanel;
 class Renderer;
 class RenderView;
+class SceneThumbnails;
 class StatusLine;
 class ViewCommands;
 
@@ -55,6 +58,8 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] StatusLine& status() { return *status_; }
     [[nodiscard]] Actions& actions() { return *actions_; }
 
+    /// Covers the picture with the start page until a scene is chosen.
+    void showStartPage();
     /// A scene is opened, a picture becomes the environment.
     void openDropped(const std::filesystem::path& file);
 
@@ -86,6 +91,7 @@ class MainWindow : public QMainWindow {
     void openExport();
     void fillRecentMenu(QMenu* menu);
     void openPreferences();
+    void hideStartPage();
     void applyPreferences(const PreferenceValues& before);
 
     Memory memory_;
@@ -94,6 +100,9 @@ class MainWindow : public QMainWindow {
     Selection selection_;
     Renderer* renderer_;
     RenderView* view_ = nullptr;
+    QStackedWidget* pages_ = nullptr;  ///< the view, and over it the start page
+    MessageLog* log_ = nullptr;
+    SceneThumbnails* thumbnails_ = nullptr;
     MessageBar* messages_ = nullptr;
     StatusLine* status_ = nullptr;
     ObjectList* objects_ = nullptr;

@@ -17,6 +17,30 @@ namespace glint {
 
 namespace {
 
+// Names and categories of presets.json, for lupdate; gui_language_test finds one that is missing.
+[[maybe_unused]] constexpr const char* kNames[] = {
+    QT_TRANSLATE_NOOP("MaterialPreset", "Gold"), QT_TRANSLATE_NOOP("MaterialPreset", "Metals"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Silver"), QT_TRANSLATE_NOOP("MaterialPreset", "Copper"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Aluminium"), QT_TRANSLATE_NOOP("MaterialPreset", "Brushed aluminium"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Chromium"), QT_TRANSLATE_NOOP("MaterialPreset", "Iron"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Nickel"), QT_TRANSLATE_NOOP("MaterialPreset", "Titanium"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Mirror"), QT_TRANSLATE_NOOP("MaterialPreset", "Glass"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Glass and gems"), QT_TRANSLATE_NOOP("MaterialPreset", "Window pane"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Frosted glass"), QT_TRANSLATE_NOOP("MaterialPreset", "Fused silica"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Acrylic"), QT_TRANSLATE_NOOP("MaterialPreset", "Diamond"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Sapphire"), QT_TRANSLATE_NOOP("MaterialPreset", "Bottle glass"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Water"), QT_TRANSLATE_NOOP("MaterialPreset", "Liquids"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Milk"), QT_TRANSLATE_NOOP("MaterialPreset", "Skimmed milk"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Cream"), QT_TRANSLATE_NOOP("MaterialPreset", "Marble"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Stone and earth"), QT_TRANSLATE_NOOP("MaterialPreset", "Chalk"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Clay"), QT_TRANSLATE_NOOP("MaterialPreset", "Jade"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Wax"), QT_TRANSLATE_NOOP("MaterialPreset", "Car paint red"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Paint and plastic"), QT_TRANSLATE_NOOP("MaterialPreset", "Car paint blue"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Plastic yellow"), QT_TRANSLATE_NOOP("MaterialPreset", "Plastic green"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Ceramic"), QT_TRANSLATE_NOOP("MaterialPreset", "Rubber"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Matt grey paint"),
+};
+
 /// A preset's entry is a material of a scene file: the reader of those checks it.
 MaterialPreset presetOf(const QJsonObject& entry) {
     QJsonObject material = entry["material"].toObject();

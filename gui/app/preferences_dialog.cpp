@@ -7,17 +7,20 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "gui/app/shortcut_page.h"
 #include "gui/widgets/drag_number.h"
 
 namespace glint {
 
-PreferencesDialog::PreferencesDialog(Preferences& preferences, QWidget* parent) : QDialog(parent), preferences_(preferences) {
+PreferencesDialog::PreferencesDialog(Preferences& preferences, Actions& actions, QWidget* parent)
+     : QDialog(parent), preferences_(preferences) {
     setWindowTitle(tr("Preferences"));
     setAttribute(Qt::WA_DeleteOnClose);
     auto* tabs = new QTabWidget(this);
     tabs->setDocumentMode(true);
     tabs->addTab(buildGeneral(), tr("General"));
     tabs->addTab(buildNavigation(), tr("Navigation"));
+    tabs->addTab(new ShortcutPage(actions, this), tr("Shortcuts"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(tabs);

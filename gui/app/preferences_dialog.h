@@ -10,11 +10,13 @@ class QFormLayout;
 
 namespace glint {
 
+class Actions;
+
 class PreferencesDialog : public QDialog {
     Q_OBJECT
 
   public:
-    explicit PreferencesDialog(Preferences& preferences, QWidget* parent = nullptr);
+    PreferencesDialog(Preferences& preferences, Actions& actions, QWidget* parent = nullptr);
 
   private:
     [[nodiscard]] QWidget* buildGeneral();

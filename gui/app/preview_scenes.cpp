@@ -45,7 +45,7 @@ void addStudio(Scene& scene) {
     scene.objects.add(floor);
     addQuad(scene, {0, 2, -2.2}, {90, 0, 0}, {12, 8}, light);
     addChequers(scene, dark);
-    addQuad(scene, {-2.6, 4.2, 2.4}, {125, -35, 0}, {2.4, 2.4}, {}, {11, 11, 11});
+    addQuad(scene, {-2.6, 4.2, 2.4}, {-125, -35, 0}, {2.4, 2.4}, {}, {11, 11, 11});
     addQuad(scene, {4.2, 1.8, 0.6}, {0, 0, 105}, {3.2, 0.9}, {}, {5, 5, 5});
     scene.environment.color = Color{0.32, 0.33, 0.35};
 }

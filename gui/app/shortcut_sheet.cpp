@@ -45,7 +45,7 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent) : QDialog(
         if (keys.isEmpty()) continue;
         const QString group = Actions::groupOf(action);
         if (!groups.contains(group)) order.push_back(group);
-        groups[group].push_back({action->text().remove('&'), keys.join(", ")});
+        groups[group].push_back({Actions::plainText(action), keys.join(", ")});
     }
     QString html = table(tr("Mouse"), hands);
     for (const QString& group : order) html += table(group, groups[group]);

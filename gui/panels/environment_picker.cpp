@@ -10,6 +10,7 @@
 #include "gui/app/asset_paths.h"
 #include "gui/app/document.h"
 #include "gui/app/text.h"
+#include "gui/panels/environment_dials.h"
 #include "gui/panels/form_builder.h"
 #include "gui/panels/form_panel.h"
 #include "gui/panels/thumbnails.h"
@@ -20,7 +21,10 @@ namespace glint {
 namespace {
 
 constexpr int kPathRole = Qt::UserRole;
-const QSize kThumbnail(72, 36);
+constexpr int kNoneRow = 0, kSkyRow = 1, kFirstPicture = 2;
+/// Stands for the computed sky; no file has an empty folder name.
+const QString kSkyPath = QStringLiteral("//sky");
+const QSize kThumbnail(88, 44);
 
 /// A plain picture with an icon, while there is no thumbnail.
 QPixmap placeholder(const QString& name, const QColor& background) {
@@ -51,6 +55,7 @@ EnvironmentPicker::EnvironmentPicker(Document& document, const std::filesystem::
     layout->setSpacing(4);
     layout->addWidget(thumbnails_);
     layout->addWidget(browseButton);
+    layout->addWidget(new EnvironmentDials(document, this));
     layout->addWidget(form, 1);
     connect(&document, &Document::changed, this, &EnvironmentPicker::showCurrent);
     showCurrent();
@@ -71,9 +76,14 @@ void EnvironmentPicker::buildThumbnails() {
     auto* none = new QListWidgetItem(QIcon(placeholder("close", QColor(20, 20, 20))), tr("None"), thumbnails_);
     none->setData(kPathRole, QString());
     none->setToolTip(tr("No picture: the colour below alone"));
+    auto* sky = new QListWidgetItem(QIcon(placeholder("light-sun", QColor(70, 110, 165))), tr("Computed sky"), thumbnails_);
+    sky->setData(kPathRole, kSkyPath);
+    sky->setToolTip(tr("Sky and sun, computed from the place of the sun"));
     connect(thumbnails_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
         const QString path = item->data(kPathRole).toString();
-        path.isEmpty() ? chooseNone() : choose(toPath(path));
+        if (path.isEmpty()) chooseNone();
+        else if (path == kSkyPath) chooseSky();
+        else choose(toPath(path));
     });
     connect(thumbnails_, &QListWidget::itemClicked, thumbnails_, &QListWidget::itemActivated);
 }
@@ -91,7 +101,7 @@ void EnvironmentPicker::addThumbnail(const std::filesystem::path& image) {
 
 QListWidgetItem* EnvironmentPicker::itemFor(const std::filesystem::path& image) const {
     std::error_code error;
-    for (int i = 1; i < thumbnails_->count(); ++i) {
+    for (int i = kFirstPicture; i < thumbnails_->count(); ++i) {
         const auto path = toPath(thumbnails_->item(i)->data(kPathRole).toString());
         if (path == image || std::filesystem::equivalent(path, image, error)) return thumbnails_->item(i);
     }
@@ -108,7 +118,15 @@ void EnvironmentPicker::choose(const std::filesystem::path& image) {
 void EnvironmentPicker::chooseNone() {
     Scene scene = document_.committed();
     scene.environment.image.clear();
+    scene.environment.sky.reset();
     document_.edit(std::move(scene), tr("No environment picture"));
+}
+
+void EnvironmentPicker::chooseSky() {
+    Scene scene = document_.committed();
+    scene.environment.image.clear();
+    if (!scene.environment.sky) scene.environment.sky = Sky{};
+    document_.edit(std::move(scene), tr("Computed sky"));
 }
 
 void EnvironmentPicker::browse() {
@@ -124,7 +142,8 @@ void EnvironmentPicker::showCurrent() {
     const std::string& image = document_.scene().environment.image;
     const std::filesystem::path path = image.empty() ? std::filesystem::path() : document_.assetFolder() / image;
     if (!image.empty() && !itemFor(path) && std::filesystem::exists(path)) addThumbnail(path);
-    QListWidgetItem* current = image.empty() ? thumbnails_->item(0) : itemFor(path);
+    const int plainRow = document_.scene().environment.sky ? kSkyRow : kNoneRow;
+    QListWidgetItem* current = image.empty() ? thumbnails_->item(plainRow) : itemFor(path);
     if (current == thumbnails_->currentItem()) return;
     thumbnails_->setCurrentItem(current);
 }

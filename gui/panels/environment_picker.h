@@ -27,6 +27,7 @@ class EnvironmentPicker : public QWidget {
     void buildThumbnails();
     void addThumbnail(const std::filesystem::path& image);
     void chooseNone();
+    void chooseSky();
     void browse();
     void showCurrent();
     [[nodiscard]] QListWidgetItem* itemFor(const std::filesystem::path& image) const;

@@ -2,12 +2,14 @@
 
 #include <QApplication>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 
 #include "gui/viewport/edit_gestures.h"
 #include "gui/viewport/navigation.h"
 #include "gui/viewport/navigation_gestures.h"
 #include "gui/viewport/overlay.h"
+#include "tracer/color/display.h"
 
 namespace glint {
 
@@ -62,6 +64,18 @@ void RenderView::setGridShown(bool shown) {
 QPointF RenderView::pointerOrCenter() const {
     const QPointF at = mapFromGlobal(QCursor::pos());
     return rect().contains(at.toPoint()) ? at : QRectF(rect()).center();
+}
+
+std::optional<Color> RenderView::colorAt(const QPoint& global) const {
+    const SessionFrame* frame = context_.renderer.frame();
+    const QPointF at = mapFromGlobal(QPointF(global));
+    if (!frame || frame->width <= 0 || !QRectF(rect()).contains(at)) return std::nullopt;
+    const auto x = static_cast<std::size_t>(std::clamp(at.x() * frame->width / width(), 0.0, frame->width - 1.0));
+    const auto y = static_cast<std::size_t>(std::clamp(at.y() * frame->height / height(), 0.0, frame->height - 1.0));
+    const QColor shown = QColor::fromRgb(frame->pixels[y * static_cast<std::size_t>(frame->width) + x]);
+    const double gain = std::exp2(-context_.document.scene().display.exposureEv);
+    const auto linear = [gain](float channel) { return static_cast<double>(linearFromSrgb(channel)) * gain; };
+    return Color{linear(shown.redF()), linear(shown.greenF()), linear(shown.blueF())};
 }
 
 void RenderView::beginFollow(Scene base, const QString& text) {

@@ -7,10 +7,11 @@
 #include <memory>
 
 #include "gui/viewport/gesture.h"
+#include "gui/widgets/eyedropper.h"
 
 namespace glint {
 
-class RenderView : public QWidget {
+class RenderView : public QWidget, public PictureSource {
     Q_OBJECT
 
   public:
@@ -31,6 +32,7 @@ class RenderView : public QWidget {
     /// Ends what the pointer is doing and takes it back; false if it does nothing.
     bool cancelGesture();
     [[nodiscard]] bool isGesturing() const { return gesture_ != nullptr; }
+    [[nodiscard]] std::optional<Color> colorAt(const QPoint& global) const override;
     [[nodiscard]] QSize sizeHint() const override { return {960, 540}; }
 
   signals:

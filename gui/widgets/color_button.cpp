@@ -7,6 +7,7 @@
 
 #include "gui/widgets/color_popup.h"
 #include "gui/widgets/drag_number.h"
+#include "gui/widgets/eyedropper.h"
 #include "tracer/color/display.h"
 
 namespace glint {
@@ -54,9 +55,19 @@ ColorPopup& ColorButton::popup() {
         connect(popup_, &ColorPopup::previewed, this, &ColorButton::previewed);
         connect(popup_, &ColorPopup::edited, this, &ColorButton::edited);
         connect(popup_, &ColorPopup::canceled, this, &ColorButton::canceled);
+        connect(popup_, &ColorPopup::dropperRequested, this, &ColorButton::pickFromPicture);
     }
     popup_->setValue(value_.value_or(Color{0.5, 0.5, 0.5}));
     return *popup_;
+}
+
+void ColorButton::pickFromPicture() {
+    popup_->hide();
+    auto* dropper = new Eyedropper(this);
+    connect(dropper, &Eyedropper::picked, this, [this](const Color& picked) {
+        const auto allowed = [this](double v) { return std::clamp(v, min_, max_); };
+        emit edited({allowed(picked.r), allowed(picked.g), allowed(picked.b)});
+    });
 }
 
 void ColorButton::openPopup() {

@@ -37,6 +37,7 @@ class ColorButton : public QAbstractButton {
 
   private:
     void openPopup();
+    void pickFromPicture();
 
     double min_ = 0, max_ = 1;
     std::optional<Color> value_;

@@ -2,6 +2,7 @@
 
 #include <QFormLayout>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "gui/widgets/color_button.h"
 #include "gui/widgets/drag_number.h"
 #include "gui/widgets/hue_square.h"
+#include "gui/widgets/icons.h"
 #include "tracer/color/display.h"
 
 namespace glint {
@@ -56,9 +58,11 @@ void ColorPopup::buildNumbers(double min, double max) {
         connect(number, &DragNumber::edited, this, [this, with](double v) { emit edited(with(v)); });
         connect(number, &DragNumber::canceled, this, &ColorPopup::canceled);
         form->addRow(names[i], number);
+        number->setToolTip(tr("Linear Rec.709"));
     }
     brightness_ = new DragNumber(this);
     brightness_->setRange({.min = 0, .max = max});
+    brightness_->setAccessibleName(tr("Brightness"));
     brightness_->setToolTip(tr("The largest channel; the others keep their ratio to it"));
     const auto brighter = [this](double v) {
         const double peak = peakOf(value_);
@@ -70,9 +74,15 @@ void ColorPopup::buildNumbers(double min, double max) {
     form->addRow(tr("Brightness"), brightness_);
     hex_ = new QLineEdit(this);
     hex_->setObjectName("hex");
-    hex_->setToolTip(tr("As in other programs: #rrggbb in sRGB"));
+    hex_->setToolTip(tr("As in other programs: #rrggbb in sRGB, not linear"));
+    hex_->setAccessibleName(tr("Hex (sRGB)"));
     connect(hex_, &QLineEdit::returnPressed, this, &ColorPopup::onHex);
-    form->addRow(tr("Hex"), hex_);
+    form->addRow(tr("Hex (sRGB)"), hex_);
+    auto* dropper = new QPushButton(icon("dropper"), tr("Pick from the picture"), this);
+    dropper->setObjectName("dropper");
+    dropper->setToolTip(tr("The next click on the picture takes its linear colour, as it is before the exposure; Esc ends it"));
+    connect(dropper, &QPushButton::clicked, this, &ColorPopup::dropperRequested);
+    form->addRow(dropper);
     static_cast<QVBoxLayout*>(layout())->addLayout(form);
 }
 

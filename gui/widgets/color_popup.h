@@ -25,6 +25,8 @@ class ColorPopup : public QFrame {
     void previewed(const glint::Color& color);
     void edited(const glint::Color& color);
     void canceled();
+    /// The next click on the picture is to give the colour.
+    void dropperRequested();
 
   private:
     void buildNumbers(double min, double max);

@@ -50,6 +50,7 @@ void MessageBar::show(Level level, const QString& text, const QString& details, 
     progress_->hide();
     setChoices(std::move(choices));
     QFrame::show();
+    emit shown(level, text, details);
 }
 
 void MessageBar::showProgress(const QString& text, double fraction, std::vector<Choice> choices) {

@@ -30,6 +30,10 @@ class MessageBar : public QFrame {
     void dismiss();
     [[nodiscard]] QString text() const;
 
+  signals:
+    /// A message came up (progress does not count).
+    void shown(glint::MessageBar::Level level, const QString& text, const QString& details);
+
   private:
     void setChoices(std::vector<Choice> choices);
 

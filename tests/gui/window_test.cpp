@@ -201,7 +201,7 @@ class WindowTest : public QObject {
         const auto window = openWindow(lit(smallScene()));
         QListWidget* thumbnails = window->environment().thumbnails();
         QVERIFY(thumbnails->count() > 1);
-        emit thumbnails->itemActivated(thumbnails->item(1));
+        emit thumbnails->itemActivated(thumbnails->item(2));
         QVERIFY(window->document().scene().environment.image.ends_with(".exr"));
         window->document().undoStack().undo();
         QVERIFY(window->document().scene().environment.image.empty());
@@ -209,7 +209,7 @@ class WindowTest : public QObject {
     }
     void savedSceneOpensEqual() {
         const auto window = openWindow(lit(smallScene()));
-        emit window->environment().thumbnails()->itemActivated(window->environment().thumbnails()->item(1));
+        emit window->environment().thumbnails()->itemActivated(window->environment().thumbnails()->item(2));
         const Scene scene = window->document().scene();
         QVERIFY(window->files().saveTo(file("saved.glint.json")));
         QVERIFY(!window->document().isModified());
