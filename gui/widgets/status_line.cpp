@@ -30,7 +30,10 @@ QString stateText(const SessionFrame& frame) {
 QString details(const SessionFrame& frame) {
     QStringList features;
     for (const std::string& feature : frame.features) features << toQString(feature);
-    return StatusLine::tr("Kernel: %1\nThe scene holds: %2").arg(toQString(frame.kernel), features.join(", "));
+    QStringList skips;
+    for (const std::string& skip : frame.skips) skips << toQString(skip);
+    return StatusLine::tr("Kernel: %1\nThe scene holds: %2\nLeft out: %3")
+        .arg(toQString(frame.kernel), features.join(", "), skips.join("; "));
 }
 
 }  // namespace

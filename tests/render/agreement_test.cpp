@@ -89,7 +89,7 @@ std::vector<double> pixelMeans(const std::shared_ptr<const RenderScene>& scene, 
         for (int s = 0; s < samples; ++s) {
             const Sampler sampler = samplerFor(*scene, i % width, i / width, static_cast<std::uint32_t>(s));
             PathTracer<kAllFeatures, Heuristic, Effort> tracer(state, sampler);
-            sum += tracer.radiance(cameraRay<kAllFeatures>(*scene, sampler, i % width, i / width)).x;
+            sum += tracer.radiance(cameraRay<kAllFeatures>(*scene, sampler, i % width, i / width, state.work)).x;
         }
         means.push_back(sum / samples);
     }

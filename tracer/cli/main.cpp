@@ -15,6 +15,7 @@
 #include "tracer/io/rendering_file.h"
 #include "tracer/io/scene_json.h"
 #include "tracer/render/render.h"
+#include "tracer/render/skips.h"
 
 namespace glint {
 
@@ -50,7 +51,9 @@ RenderStats statsFor(const Options& options, const Scene& scene, const Compiled&
     out.scatterRays = rendering.rays.scatter;
     out.nonfiniteSamples = rendering.nonfiniteSamples;
     out.features = featureNames(*compiled.scene);
-    out.kernel = kernelName(*compiled.scene);
+    out.kernel = rendering.kernel;
+    out.skips = skipNames(*compiled.scene);
+    out.work = rendering.work;
     out.peakMemoryBytes = peakMemoryBytes();
     out.interrupted = rendering.interrupted;
     for (const CompileWarning& warning : compiled.warnings)

@@ -31,18 +31,17 @@ class CameraModel {
         focus_ = camera.focusDistance.value_or(distance);
     }
 
-    /// The ray through film position (x, y), in pixels from the top left corner, and lens position u in [0, 1)^2.
+    /// The ray through film position (x, y), in pixels from the top left corner, and the middle of the lens.
+    [[nodiscard]] Ray ray(double x, double y) const {
+        const Ray middle = unnormalized(x, y);
+        return {middle.origin, glm::normalize(middle.direction)};
+    }
+    /// The same through lens position u in [0, 1)^2.
     [[nodiscard]] Ray ray(double x, double y, const DVec2& u) const {
-        const DVec3 offset = corner_ + x * perPixelX_ + y * perPixelY_;
-        DVec3 origin = orthographic_ ? position_ + offset : position_;
-        DVec3 direction = orthographic_ ? forward_ : forward_ + offset;
-        if (hasLens_) {
-            const DVec2 lens = concentricDisk(u);
-            const DVec3 shift = lens.x * lensX_ + lens.y * lensY_;
-            origin += shift;
-            direction -= shift / focus_;
-        }
-        return {origin, glm::normalize(direction)};
+        const Ray middle = unnormalized(x, y);
+        const DVec2 lens = concentricDisk(u);
+        const DVec3 shift = lens.x * lensX_ + lens.y * lensY_;
+        return {middle.origin + shift, glm::normalize(middle.direction - shift / focus_)};
     }
 
     [[nodiscard]] const DVec3& position() const { return position_; }
@@ -50,6 +49,11 @@ class CameraModel {
     [[nodiscard]] bool hasLens() const { return hasLens_; }
 
   private:
+    [[nodiscard]] Ray unnormalized(double x, double y) const {
+        const DVec3 offset = corner_ + x * perPixelX_ + y * perPixelY_;
+        return orthographic_ ? Ray{position_ + offset, forward_} : Ray{position_, forward_ + offset};
+    }
+
     DVec3 position_{0.0}, forward_{0, 0, -1}, corner_{0.0}, perPixelX_{0.0}, perPixelY_{0.0}, lensX_{0.0}, lensY_{0.0};
     double focus_ = 1;
     bool orthographic_ = false, hasLens_ = false;

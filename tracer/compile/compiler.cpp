@@ -124,6 +124,7 @@ class Compiler {
                 [&]<class Leaf>(const Leaf& leaf) {
                     if constexpr (Leaf::kSmooth) chance = maxComponent(weighted.weight * leaf.albedo());
                     if constexpr (Leaf::kDelta) out.hasDelta = true;
+                    if constexpr (kIsRough<Leaf>) out.isRough = true;
                     if constexpr (std::is_same_v<Leaf, ClearBsdf> || std::is_same_v<Leaf, ThinGlassBsdf>) out.straight += weighted.weight;
                 },
                 weighted.leaf);
@@ -325,6 +326,7 @@ class Compiler {
             const CompiledMaterial& material = out_->materials[shape.material];
             add(Feature::Smooth, material.hasSmooth());
             add(Feature::Delta, material.hasDelta);
+            add(Feature::Rough, material.isRough);
             add(Feature::Media, shape.dielectric);
             add(Feature::Straight, !isBlack(material.straight));
         }

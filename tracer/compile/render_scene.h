@@ -25,12 +25,16 @@ enum class Feature : std::uint32_t {
     Sky = 1u << 6,          ///< an environment that is not black, or a sun with a disc
     SampledSky = 1u << 7,   ///< of these, one with next-event estimation
     Lens = 1u << 8,         ///< an aperture
-    Layers = 1u << 9,       ///< not the scene's but the render's: layers are asked for
+    Rough = 1u << 9,        ///< lobes between Lambert's and a mirror's: microfacets, Phong
+    // Not the scene's but the render's:
+    Layers = 1u << 10,      ///< layers are asked for
+    NoSkips = 1u << 11,     ///< work that cannot count is done all the same, to prove that it may be skipped
 };
-inline constexpr std::array<std::string_view, 9> kFeatureNames = {
-    "smooth BSDFs", "delta BSDFs", "media", "straight transmission", "delta lights", "area lights", "sky", "sampled sky", "lens"};
+inline constexpr std::array<std::string_view, 10> kFeatureNames = {
+    "smooth BSDFs", "delta BSDFs", "media", "straight transmission", "delta lights", "area lights", "sky", "sampled sky", "lens", "rough lobes"};
 
 using Features = std::uint32_t;
+/// All that a scene can hold.
 inline constexpr Features kAllFeatures = (1u << kFeatureNames.size()) - 1;
 [[nodiscard]] constexpr bool has(Features features, Feature feature) {
     return (features & static_cast<Features>(feature)) != 0;
@@ -42,6 +46,7 @@ struct CompiledMaterial {
     std::vector<float> pick;  ///< chance of each leaf's smooth part, in proportion to weight times albedo; sums to 1 or 0
     float smoothAlbedo = 0;   ///< of all smooth parts together, for choosing between them and delta branches
     bool hasDelta = false;
+    bool isRough = false;     ///< some leaf is, see kIsRough
     Rgb straight{0.0f};       ///< factor on light that passes straight through, at most; black: opaque to shadow rays
     bool dielectric = false;
     Medium medium;

@@ -216,7 +216,7 @@ HWY_INLINE float visitLeaf(const Block& block, const RayLanes& ray, float limit,
     return decide(query, found, count);
 }
 
-void walkTree(const BlockTree& tree, const FilterRay& ray, DecideLeaf decide, void* query) {
+WalkCounts walkTree(const BlockTree& tree, const FilterRay& ray, DecideLeaf decide, void* query) {
     RayLanes lanes = spread(ray);
     float limit = ray.limit;
     NodeRay walk{};
@@ -228,22 +228,26 @@ void walkTree(const BlockTree& tree, const FilterRay& ray, DecideLeaf decide, vo
     Waiting stack[7 * kMaxTreeDepth + 8];
     Waiting* top = stack;
     *top++ = {0.0f, 0};
+    WalkCounts counts;
     while (top != stack) {
         const Waiting next = *--top;
         if (next.tNear > limit) continue;
         if (next.child & kLeafBit) {
             const std::uint32_t index = next.child & kChildMask;
-            limit = next.child & kBallBit
-                        ? visitLeaf(tree.balls[index], lanes, limit, decide, query)
-                        : visitLeaf(tree.boxes[index], lanes, limit, decide, query);
-            if (limit < 0) return;
+            const bool balls = (next.child & kBallBit) != 0;
+            ++(balls ? counts.ballBlocks : counts.boxBlocks);
+            limit = balls ? visitLeaf(tree.balls[index], lanes, limit, decide, query)
+                          : visitLeaf(tree.boxes[index], lanes, limit, decide, query);
+            if (limit < 0) return counts;
             lanes.limit = hn::Set(kTag, limit);
         } else {
             alignas(64) float tNear[kBlockSize];
             const Node8& node = tree.nodes[next.child];
+            ++counts.nodes;
             top = pushHits(tree, node, testNode(node, ray, walk, limit, tNear), tNear, top);
         }
     }
+    return counts;
 }
 
 }  // namespace

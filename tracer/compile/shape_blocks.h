@@ -102,6 +102,11 @@ struct BlockTree {
     const BoxBlock* boxes;
 };
 
+/// What a walk visited.
+struct WalkCounts {
+    std::uint32_t nodes = 0, ballBlocks = 0, boxBlocks = 0;
+};
+
 /// Decides the candidates of one leaf and answers with the new limit; a negative one ends the walk.
 using DecideLeaf = float (*)(void* query, Candidate* candidates, int count);
 
@@ -115,7 +120,7 @@ struct BlockKernels {
     std::uint64_t (*boxes)(const BoxBlock* blocks, std::size_t count, const FilterRay& ray,
                            float* tLo);
     /// Visits the leaves along the ray from near to far.
-    void (*walk)(const BlockTree& tree, const FilterRay& ray, DecideLeaf decide, void* query);
+    WalkCounts (*walk)(const BlockTree& tree, const FilterRay& ray, DecideLeaf decide, void* query);
 };
 
 /// The kernels for the best instruction set that Highway reports now (tests narrow that by

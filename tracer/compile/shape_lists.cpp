@@ -58,11 +58,12 @@ double farthest(const DVec3& v) { return std::abs(v.x) + std::abs(v.y) + std::ab
 /// The ray, and the slots that are decided ahead of the others because the path is on those shapes
 /// or inside of them.
 struct ShapeLists::Asking {
-    Asking(const Ray& r, const MediaStack& m)
-        : ray(r), media(m) {}  // Leaves `known` as it is: no time for zeros.
+    Asking(const Ray& r, const MediaStack& m, WorkCounts& w)
+        : ray(r), media(m), work(w) {}  // Leaves `known` as it is: no time for zeros.
 
     const Ray& ray;
     const MediaStack& media;
+    WorkCounts& work;
     double length = 1;  ///< of the ray's direction
     int knownCount = 0;
     std::array<std::uint32_t, MediaStack::kCapacity + 1> known;
@@ -76,6 +77,8 @@ struct ShapeLists::Asking {
     [[nodiscard]] Start start(const Shape& shape) const {
         return startOf(ray, media, shape.index, shape.dielectric);
     }
+    void count(const Ball&) const { ++work[Work::BallTests]; }
+    void count(const Entry&) const { ++work[Work::ShapeTests], ++work[Work::MatrixTests]; }
 };
 
 // The two questions. Both are passed by value, so that they live in registers.
@@ -128,9 +131,12 @@ inline void ShapeLists::decideSlot(const Asking& asking, Question& question,
     const auto start = [](bool dielectric) {
         return dielectric ? Start::KnownOutside : Start::Elsewhere;
     };
-    if (slot < ballCount_)
+    if (slot < ballCount_) {
+        asking.count(balls_[slot]);
         return question.decide(balls_[slot], asking.ray, start(balls_[slot].dielectric));
+    }
     const Entry& entry = boxes_[slot - ballCount_];
+    asking.count(entry);
     question.decide(entry, asking.ray, start(entry.dielectric));
 }
 
@@ -153,6 +159,7 @@ template <class Question, class List>
 Question ShapeLists::decideEach(const Asking& asking, Question question, const List& list) {
     for (const auto& shape : list) {
         if (question.done()) break;
+        asking.count(shape);
         question.decide(shape, asking.ray, asking.start(shape));
     }
     return question;
@@ -166,6 +173,7 @@ template <class Question>
         if (slot == kNoShape || asking.isKnown(slot) || question.done()) return;
         asking.known[static_cast<std::size_t>(asking.knownCount++)] = slot;
         const auto decideShape = [&](const auto& shape) {
+            asking.count(shape);
             question.decide(shape, asking.ray, asking.start(shape));
         };
         slot < ballCount_ ? decideShape(balls_[slot]) : decideShape(boxes_[slot - ballCount_]);
@@ -222,14 +230,19 @@ template <class Question>
         return w.question.done() ? -1.0f : roundUp(w.question.limit() * w.asking.length);
     };
     ray.limit = roundUp(question.limit() * asking.length);
-    kernels_.walk({nodes_.data(), ballBlocks_.data(), boxBlocks_.data()}, ray, decideLeaf, &walk);
+    const WalkCounts counts = kernels_.walk(
+        {nodes_.data(), ballBlocks_.data(), boxBlocks_.data()}, ray, decideLeaf, &walk);
+    asking.work[Work::NodeVisits] += counts.nodes;
+    asking.work[Work::BallBlocks] += counts.ballBlocks;
+    asking.work[Work::BoxBlocks] += counts.boxBlocks;
     return walk.question;
 }
 
 template <class Question>
 [[gnu::always_inline]] inline Question ShapeLists::ask(const Ray& ray, const MediaStack& media,
-                                                       Question question) const {
-    Asking asking(ray, media);
+                                                       Question question,
+                                                       WorkCounts& work) const {
+    Asking asking(ray, media, work);
     if (!always_.empty()) question = decideEach(asking, question, always_);
     if (question.done()) return question;
     FilterRay filterRay;
@@ -239,17 +252,29 @@ template <class Question>
     if (ray.fromShape != kNoShape || !media.empty()) question = decideKnown(asking, question);
     if (fit == Fit::Miss || question.done()) return question;
     if (!nodes_.empty()) return askTree(asking, question, filterRay);
+    work[Work::BallBlocks] += ballBlocks_.size();
+    work[Work::BoxBlocks] += boxBlocks_.size();
     question = askFlat(asking, question, ballBlocks_, 0, ballCount_, kernels_.balls, filterRay);
     return askFlat(asking, question, boxBlocks_, ballCount_, boxCount_, kernels_.boxes, filterRay);
 }
 
+ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMax,
+                             WorkCounts& work) const {
+    return ask(ray, media, Nearest{{tMax, kNoShape, 0}, tMax}, work).best;
+}
 ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMax) const {
-    return ask(ray, media, Nearest{{tMax, kNoShape, 0}, tMax}).best;
+    WorkCounts uncounted;
+    return closest(ray, media, tMax, uncounted);
 }
 
 bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax,
+                          std::uint32_t ignored, WorkCounts& work) const {
+    return ask(ray, media, Any{tMax, ignored}, work).hit;
+}
+bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax,
                           std::uint32_t ignored) const {
-    return ask(ray, media, Any{tMax, ignored}).hit;
+    WorkCounts uncounted;
+    return occluded(ray, media, tMax, ignored, uncounted);
 }
 
 ShapeLists::Memory ShapeLists::memory() const {

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "tracer/base/work.h"
 #include "tracer/compile/media.h"
 #include "tracer/compile/shape_blocks.h"
 #include "tracer/math/ray.h"
@@ -69,10 +70,15 @@ class ShapeLists {
     ShapeLists() = default;
     explicit ShapeLists(const std::vector<ShapeInstance>& instances);
 
-    /// The nearest hit with t < tMax. Of equal hits the shape with the lower index wins.
+    /// The nearest hit with t < tMax. Of equal hits the shape with the lower index wins. Adds what
+    /// it took to `work`.
+    [[nodiscard]] ShapeHit closest(const Ray& ray, const MediaStack& media, double tMax,
+                                   WorkCounts& work) const;
     [[nodiscard]] ShapeHit closest(const Ray& ray, const MediaStack& media,
                                    double tMax = kInfinity) const;
     /// Whether anything but `ignored` is hit before tMax.
+    [[nodiscard]] bool occluded(const Ray& ray, const MediaStack& media, double tMax,
+                                std::uint32_t ignored, WorkCounts& work) const;
     [[nodiscard]] bool occluded(const Ray& ray, const MediaStack& media, double tMax,
                                 std::uint32_t ignored) const;
 
@@ -82,6 +88,18 @@ class ShapeLists {
         std::size_t hierarchy = 0, shapes = 0;
     };
     [[nodiscard]] Memory memory() const;
+
+    /// Blocks of the filter; none where so few shapes are there that all are decided.
+    struct BlockCounts {
+        std::size_t balls = 0, boxes = 0;
+        [[nodiscard]] std::size_t total() const { return balls + boxes; }
+    };
+    [[nodiscard]] BlockCounts blockCounts() const {
+        return unfiltered_ ? BlockCounts{} : BlockCounts{ballBlocks_.size(), boxBlocks_.size()};
+    }
+    [[nodiscard]] bool hasHierarchy() const { return !nodes_.empty(); }
+    /// Whether some shape needs a 3 x 3 matrix.
+    [[nodiscard]] bool hasMatrices() const { return !boxes_.empty() || !always_.empty(); }
 
   private:
     /// A sphere under a similarity: needs no matrix, because turning a ball changes nothing.
@@ -117,7 +135,8 @@ class ShapeLists {
     // A Question is Nearest or Any. Each of these answers with what it knows after its shapes have
     // been decided.
     template <class Question>
-    Question ask(const Ray& ray, const MediaStack& media, Question question) const;
+    Question ask(const Ray& ray, const MediaStack& media, Question question,
+                 WorkCounts& work) const;
     template <class Question, class List>
     static Question decideEach(const Asking& asking, Question question, const List& list);
     template <class Question>

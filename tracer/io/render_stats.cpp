@@ -25,6 +25,10 @@ Status saveStats(const RenderStats& stats, const std::filesystem::path& path) {
     out["nonfinite_samples"] = stats.nonfiniteSamples;
     out["features"] = stats.features;
     out["kernel"] = stats.kernel;
+    out["skips"] = stats.skips;
+    Json work = Json::object();
+    for (std::size_t i = 0; i < kWorkKinds; ++i) work[std::string(kWorkNames[i])] = stats.work.of[i];
+    out["work"] = work;
     out["peak_memory_bytes"] = stats.peakMemoryBytes;
     out["interrupted"] = stats.interrupted;
     out["warnings"] = stats.warnings;

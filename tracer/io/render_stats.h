@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tracer/base/result.h"
+#include "tracer/base/work.h"
 
 namespace glint {
 
@@ -24,6 +25,8 @@ struct RenderStats {
     std::uint64_t nonfiniteSamples = 0;
     std::vector<std::string> features;
     std::string kernel;
+    std::vector<std::string> skips;
+    WorkCounts work;
     std::uint64_t peakMemoryBytes = 0;
     bool interrupted = false;
     std::vector<std::string> warnings;

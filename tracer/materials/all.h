@@ -17,6 +17,10 @@ using BsdfLeaf = std::variant<LambertBsdf, TranslucentBsdf, PhongBsdf, MirrorBsd
                               ClearBsdf, MetalBsdf, PolishedMetalBsdf, RoughGlassBsdf, RoughThinGlassBsdf, GlossyBsdf,
                               PolishedGlossyBsdf>;
 
+/// Leaves whose smooth part is more than Lambert's cosine: kernels without Feature::Rough leave them out.
+template <class Leaf>
+inline constexpr bool kIsRough = Leaf::kSmooth && !std::is_same_v<Leaf, LambertBsdf> && !std::is_same_v<Leaf, TranslucentBsdf>;
+
 using AllMaterials = TypeList<Diffuse, Mirror, Metal, Glass, Translucent, Glossy, Phong, Mix>;
 
 }  // namespace glint

@@ -45,9 +45,10 @@ class ClassicTracer {
     /// Adds the light that arrives along the branch.
     void trace(Branch branch) {
         if (state_.stop()) return;
-        const ShapeHit hit = scene_.lists.closest(branch.ray, branch.media);
+        const ShapeHit hit = scene_.lists.closest(branch.ray, branch.media, kInfinity, state_.work);
         if constexpr (has(F, Feature::Media))
-            if (!branch.media.empty()) branch.weight *= transmittance(mediumOf(scene_, fillingShape(scene_, branch.media)), hit.t);
+            if (!branch.media.empty())
+                branch.weight *= transmittance<F>(mediumOf(scene_, fillingShape(scene_, branch.media)), hit.t, state_.work);
         if (!hit.found()) return addSky(branch);
         const SurfacePoint point = surfacePoint(scene_, branch.ray, hit, branch.media);
         const CompiledMaterial& material = scene_.materials[point.instance(scene_).material];
@@ -58,7 +59,7 @@ class ClassicTracer {
             return trace(branch);
         }
         if constexpr (has(F, Feature::Layers))
-            if (branch.depth == 0) describeSurface(scene_, point, *state_.layers);
+            if (branch.depth == 0) describeSurface(scene_, point, *state_.layers, state_.work);
         addEmission(branch, point);
         if (branch.depth >= scene_.settings.maxDepth) return;
         if (material.hasSmooth()) addDirect(branch, point, material);
@@ -66,16 +67,25 @@ class ClassicTracer {
     }
 
     void addSky(const Branch& branch) {
+        if (!has(F, Feature::NoSkips) && !has(scene_.features, Feature::Sky)) return;
+        ++state_.work[Work::SkyLookups];
         const CompiledEnvironment& environment = scene_.lights.environment;
         if (!environment.isBlack() && !(branch.straightFromCamera && !environment.visibleToCamera))
-            add(environment.group, branch.weight * environment.radiance(branch.ray.direction));
+            add(environment.group, branch.weight * seenInSky(environment, branch.ray.direction));
         for (const std::uint32_t sun : scene_.lights.sunDiscs) {
             const CompiledLight& light = scene_.lights.lights[sun];
             if (light.discHolds(branch.ray.direction)) add(light.group, branch.weight * light.emission);
         }
     }
 
+    Rgb seenInSky(const CompiledEnvironment& environment, const DVec3& direction) const {
+        if (environment.map) ++state_.work[Work::MapLookups];
+        return environment.radiance(direction);
+    }
+
     void addEmission(const Branch& branch, const SurfacePoint& point) {
+        if (!has(F, Feature::NoSkips) && !has(scene_.features, Feature::AreaLights)) return;
+        ++state_.work[Work::EmissionTests];
         const std::uint32_t light = point.instance(scene_).light;
         if (light == ~0u) return;
         const CompiledLight& emitter = scene_.lights.lights[light];
@@ -88,23 +98,27 @@ class ClassicTracer {
         for (std::uint32_t i = 0; i < scene_.lights.lights.size(); ++i) {
             if (i == scene_.lights.environmentLight) continue;
             const SampleBlock u = sampler_.block(sobol::mix(branch.key) ^ sampleBlock(SampleUse::Light, 0, 0, i));
+            ++state_.work[Work::LightSamples];
             const LightSample s = sampleLight(scene_.lights, scene_.shapes, i, from, branch.media, {u.x, u.y});
             if (!(s.pdf > 0) || isBlack(s.radiance)) continue;
             const Vec3 wi = toFloat(point.frame.toLocal(s.wi));
-            const BsdfSample f = evalSmooth(material, point.wo, wi, point.eta);
-            if (isBlack(f.f)) continue;
+            const BsdfSample f = evalSmooth<F>(material, point.wo, wi, point.eta, state_.work);
+            if (isBlack(f.f)) {
+                if constexpr (!has(F, Feature::NoSkips)) continue;
+                ++state_.work[Work::BlackShadowRays];
+            }
             const Ray ray{point.position, s.wi, point.shape, wi.z < 0};
-            const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(scene_, point, branch.media, wi), s.distance, s.shape,
+            const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(state_, point, branch.media, wi), s.distance, s.shape,
                                                      scene_.settings.maxDepth - branch.depth - 1, scene_.settings.transparentShadows);
             add(scene_.lights.lights[i].group, branch.weight * f.f * s.radiance * share * static_cast<float>(std::abs(wi.z) / s.pdf));
         }
     }
 
     void reflectAndRefract(const Branch& branch, const SurfacePoint& point, const CompiledMaterial& material) {
-        const Branches ways = classicBranches(material, point);
+        const Branches ways = classicBranches(material, point, state_.work);
         for (int i = 0; i < ways.count; ++i) {
             const DeltaBranch& way = ways.at[static_cast<std::size_t>(i)];
-            Branch next{point.ray(way.wi), mediaBeyond<F>(scene_, point, branch.media, way.wi), branch.weight * way.weight,
+            Branch next{point.ray(way.wi), mediaBeyond<F>(state_, point, branch.media, way.wi), branch.weight * way.weight,
                         branch.importance * maxComponent(way.weight), branch.depth + 1,
                         branch.key * 16 + static_cast<std::uint32_t>(i) + 1, branch.straightFromCamera && way.straight};
             if (next.importance < kDim) {
@@ -119,8 +133,8 @@ class ClassicTracer {
     }
 
     /// The delta branches, and for rough lobes the perfect one that they are near to.
-    static Branches classicBranches(const CompiledMaterial& material, const SurfacePoint& point) {
-        Branches out = deltaBranches(material, point.wo, point.eta);
+    static Branches classicBranches(const CompiledMaterial& material, const SurfacePoint& point, WorkCounts& work) {
+        Branches out = deltaBranches(material, point.wo, point.eta, work);
         for (const WeightedLeaf& weighted : material.leaves)
             std::visit(
                 [&]<class Leaf>(const Leaf& leaf) {

@@ -32,7 +32,7 @@ constexpr int kReferenceSeed = 1'000'000;
 template <class Tracer>
 Rgb sampleBy(KernelState& state, int x, int y, std::uint32_t sample) {
     const Sampler sampler = samplerFor(state.scene, x, y, sample);
-    return Tracer(state, sampler).radiance(cameraRay<kAllFeatures>(state.scene, sampler, x, y));
+    return Tracer(state, sampler).radiance(cameraRay<kAllFeatures>(state.scene, sampler, x, y, state.work));
 }
 
 std::shared_ptr<const RenderScene> withRender(const RenderScene& scene, int spp, int seed) {

@@ -36,6 +36,7 @@ struct KernelState {
     LayerSample* layers = nullptr;  ///< filled by kernels with Feature::Layers
     GroupLight* groups = nullptr;   ///< if not null: filled with the sample's light by group
     std::uint64_t materials = 0;    ///< set of the materials whose values the sample rests on, see materialBit()
+    WorkCounts work;
 
     /// To be asked at every path vertex.
     bool stop() {
@@ -59,7 +60,8 @@ struct Kernel {
 
 /// All kernels that are built.
 [[nodiscard]] std::span<const Kernel> allKernels();
-/// The smallest one that covers the scene, and Feature::Layers if asked for.
+/// The smallest one that covers the scene and what is wanted beside: Feature::Layers, kAllFeatures for the kernel that leaves
+/// nothing out, Feature::NoSkips for the one that spares no work.
 [[nodiscard]] const Kernel& chooseKernel(const RenderScene& scene, Features wanted = 0);
 
 /// Block numbers of the sampler. A decision always uses the same block, whatever else a kernel skips, so that every kernel
@@ -71,12 +73,14 @@ enum class SampleUse : std::uint32_t { Camera = 0, Bsdf = 1, Light = 2 };
 
 /// The camera ray of a sample.
 template <Features F>
-[[nodiscard]] Ray cameraRay(const RenderScene& scene, const Sampler& sampler, int x, int y) {
+[[nodiscard]] Ray cameraRay(const RenderScene& scene, const Sampler& sampler, int x, int y, WorkCounts& work) {
     const SampleBlock u = sampler.block(sampleBlock(SampleUse::Camera, 0, 0));
     const FilmSettings& film = scene.film;
     const double px = x + 0.5 + film.filterRadius * sampleFilter(film.filter, u.x);
     const double py = y + 0.5 + film.filterRadius * sampleFilter(film.filter, u.y);
-    return scene.camera.ray(px, py, has(F, Feature::Lens) ? DVec2(u.z, u.w) : DVec2(0.0));
+    if (!has(F, Feature::Lens) || !scene.camera.hasLens()) return scene.camera.ray(px, py);
+    ++work[Work::LensSamples];
+    return scene.camera.ray(px, py, DVec2(u.z, u.w));
 }
 
 [[nodiscard]] inline Sampler samplerFor(const RenderScene& scene, int x, int y, std::uint32_t sample) {

@@ -19,7 +19,7 @@ Rgb runKernel(KernelState& state, int x, int y, std::uint32_t sample) {
     state.materials = 0;
     for (int i = 0; i < scene.cameraMedia.size(); ++i) state.materials |= scene.materials[scene.shapes[scene.cameraMedia[i]].material].bit;
     if (state.groups) *state.groups = {};
-    Rgb value = Tracer(state, sampler).radiance(cameraRay<F>(scene, sampler, x, y));
+    Rgb value = Tracer(state, sampler).radiance(cameraRay<F>(scene, sampler, x, y, state.work));
     if (const auto limit = static_cast<float>(scene.settings.clamp); limit > 0)
         if (const float size = maxComponent(value); size > limit) value *= limit / size;
     return value;
@@ -27,19 +27,26 @@ Rgb runKernel(KernelState& state, int x, int y, std::uint32_t sample) {
 
 constexpr Features bits(auto... features) { return (static_cast<Features>(features) | ...); }
 
-constexpr Features kDiffuse = bits(Feature::Smooth, Feature::DeltaLights, Feature::AreaLights, Feature::Sky, Feature::SampledSky);
+constexpr Features kDiffuse = bits(Feature::Smooth, Feature::DeltaLights, Feature::AreaLights, Feature::Sky, Feature::SampledSky, Feature::Lens);
 constexpr Features kMirrors = kDiffuse | bits(Feature::Delta);
 constexpr Features kGlass = kMirrors | bits(Feature::Media);
+constexpr Features kRough = kMirrors | bits(Feature::Rough);
+constexpr Features kRoughGlass = kGlass | bits(Feature::Rough);
 constexpr Features kLayers = kAllFeatures | bits(Feature::Layers);
+constexpr Features kNoSkips = kAllFeatures | bits(Feature::NoSkips);
 
 constexpr std::array kKernels = {
-    Kernel{"path: smooth", Integrator::Path, kDiffuse, runKernel<PathTracer<kDiffuse>, kDiffuse>},
+    Kernel{"path: diffuse", Integrator::Path, kDiffuse, runKernel<PathTracer<kDiffuse>, kDiffuse>},
     Kernel{"path: mirrors", Integrator::Path, kMirrors, runKernel<PathTracer<kMirrors>, kMirrors>},
     Kernel{"path: glass", Integrator::Path, kGlass, runKernel<PathTracer<kGlass>, kGlass>},
+    Kernel{"path: rough", Integrator::Path, kRough, runKernel<PathTracer<kRough>, kRough>},
+    Kernel{"path: rough, glass", Integrator::Path, kRoughGlass, runKernel<PathTracer<kRoughGlass>, kRoughGlass>},
     Kernel{"path: all", Integrator::Path, kAllFeatures, runKernel<PathTracer<kAllFeatures>, kAllFeatures>},
     Kernel{"path: layers", Integrator::Path, kLayers, runKernel<PathTracer<kLayers>, kLayers>},
+    Kernel{"path: no skips", Integrator::Path, kNoSkips, runKernel<PathTracer<kNoSkips>, kNoSkips>},
     Kernel{"classic: layers", Integrator::Classic, kLayers, runKernel<ClassicTracer<kLayers>, kLayers>},
     Kernel{"classic: all", Integrator::Classic, kAllFeatures, runKernel<ClassicTracer<kAllFeatures>, kAllFeatures>},
+    Kernel{"classic: no skips", Integrator::Classic, kNoSkips, runKernel<ClassicTracer<kNoSkips>, kNoSkips>},
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ constexpr std::array<const char*, kLightLayers> kLightNames = {
     "diffuse_direct", "diffuse_indirect", "glossy_direct", "glossy_indirect", "transmission_direct", "transmission_indirect", "emission", "environment"};
 
 /// Light that a surface sends back or lets through when lit evenly, as far as its leaves say.
-Rgb albedoOf(const CompiledMaterial& material, const SurfacePoint& point) {
+Rgb albedoOf(const CompiledMaterial& material, const SurfacePoint& point, WorkCounts& work) {
     Rgb sum(0.0f);
     for (const WeightedLeaf& weighted : material.leaves)
         std::visit(
@@ -20,7 +20,7 @@ Rgb albedoOf(const CompiledMaterial& material, const SurfacePoint& point) {
             },
             weighted.leaf);
     if (material.hasDelta) {
-        const Branches branches = deltaBranches(material, point.wo, point.eta);
+        const Branches branches = deltaBranches(material, point.wo, point.eta, work);
         for (int i = 0; i < branches.count; ++i) {
             const DeltaBranch& branch = branches.at[static_cast<std::size_t>(i)];
             sum += branch.weight / branch.scale;
@@ -31,9 +31,9 @@ Rgb albedoOf(const CompiledMaterial& material, const SurfacePoint& point) {
 
 }  // namespace
 
-void describeSurface(const RenderScene& scene, const SurfacePoint& point, LayerSample& out) {
+void describeSurface(const RenderScene& scene, const SurfacePoint& point, LayerSample& out, WorkCounts& work) {
     const ShapeInstance& instance = point.instance(scene);
-    out.albedo = albedoOf(scene.materials[instance.material], point);
+    out.albedo = albedoOf(scene.materials[instance.material], point, work);
     out.normal = toFloat(point.frame.n);
     out.position = toFloat(point.position + scene.origin);
     out.depth = static_cast<float>(glm::dot(point.position - scene.camera.position(), scene.camera.forward()));

@@ -78,7 +78,7 @@ template <class Leaf>
 }
 
 /// Fills what is known of a surface by looking at it.
-void describeSurface(const RenderScene& scene, const SurfacePoint& point, LayerSample& out);
+void describeSurface(const RenderScene& scene, const SurfacePoint& point, LayerSample& out, WorkCounts& work);
 
 /// The layers of a whole film: means of light, albedo and normal; the rest from each pixel's first sample.
 class LayerFilm {

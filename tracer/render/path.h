@@ -71,9 +71,10 @@ class PathTracer {
     void follow(Path path) {
         int hidden = 0;
         while (!state_.stop()) {
-            const ShapeHit hit = scene_.lists.closest(path.ray, path.media);
+            const ShapeHit hit = scene_.lists.closest(path.ray, path.media, kInfinity, state_.work);
             if constexpr (has(F, Feature::Media))
-                if (!path.media.empty()) path.throughput *= transmittance(mediumOf(scene_, fillingShape(scene_, path.media)), hit.t);
+                if (!path.media.empty())
+                    path.throughput *= transmittance<F>(mediumOf(scene_, fillingShape(scene_, path.media)), hit.t, state_.work);
             if (!hit.found()) return addSky(path);
             const SurfacePoint point = surfacePoint(scene_, path.ray, hit, path.media);
             state_.materials |= scene_.materials[point.instance(scene_).material].bit;
@@ -87,7 +88,7 @@ class PathTracer {
                 }
             }
             if constexpr (has(F, Feature::Layers))
-                if (path.depth == 0) describeSurface(scene_, point, *state_.layers);
+                if (path.depth == 0) describeSurface(scene_, point, *state_.layers, state_.work);
             if constexpr (has(F, Feature::AreaLights)) addEmission(path, point);
             if (path.depth >= scene_.settings.maxDepth || !scatter(path, point)) return;
         }
@@ -98,6 +99,7 @@ class PathTracer {
     template <class Density>
     [[nodiscard]] float foundWeight(const Path& path, std::uint32_t light, Density lightDensity) const {
         if (!has(F, Feature::Smooth) || path.pdf == 0) return 1;
+        ++state_.work[Work::MisWeights];
         const double chosen = path.allLights ? 1.0 : scene_.lights.pickProbability(light);
         return static_cast<float>(Heuristic::bsdfWeight(path.pdf, chosen * lightDensity()));
     }
@@ -107,6 +109,8 @@ class PathTracer {
 
     void addSky(const Path& path) {
         if constexpr (has(F, Feature::Sky)) {
+            if (!has(F, Feature::NoSkips) && !has(scene_.features, Feature::Sky)) return;
+            ++state_.work[Work::SkyLookups];
             const CompiledEnvironment& environment = scene_.lights.environment;
             if (!environment.isBlack() && !(path.straightFromCamera && !environment.visibleToCamera))
                 add(path, LightLayer::Environment, environment.group, path.throughput * environment.scale * seenInSky(path, environment));
@@ -119,11 +123,14 @@ class PathTracer {
 
     [[nodiscard]] Rgb seenInSky(const Path& path, const CompiledEnvironment& environment) const {
         if (!environment.map) return Rgb(1.0f);
+        ++state_.work[Work::MapLookups];
         const EnvironmentLookup seen = environment.map->evaluate(environment.mapFromWorld(path.ray.direction));
         return seen.radiance * foundWeight(path, scene_.lights.environmentLight, [&] { return seen.pdf; });
     }
 
     void addEmission(const Path& path, const SurfacePoint& point) {
+        if (!has(F, Feature::NoSkips) && !has(scene_.features, Feature::AreaLights)) return;
+        ++state_.work[Work::EmissionTests];
         const std::uint32_t light = point.instance(scene_).light;
         if (light == ~0u) return;
         const CompiledLight& emitter = scene_.lights.lights[light];
@@ -148,13 +155,13 @@ class PathTracer {
         const CompiledMaterial& material = scene_.materials[point.instance(scene_).material];
         Branches branches;
         if constexpr (has(F, Feature::Delta))
-            if (material.hasDelta) branches = deltaBranches(material, point.wo, point.eta);
+            if (material.hasDelta) branches = deltaBranches(material, point.wo, point.eta, state_.work);
         const float total = material.smoothAlbedo + branches.total;
         if (!(total > 0)) return false;
         const float smoothChance = material.smoothAlbedo / total;
 
         if constexpr (has(F, Feature::Smooth) && kSamplesLights)
-            if (smoothChance > 0 && !scene_.lights.empty()) addDirect(path, point, material, smoothChance);
+            if ((smoothChance > 0 || has(F, Feature::NoSkips)) && !scene_.lights.empty()) addDirect(path, point, material, smoothChance);
         if constexpr (has(F, Feature::Delta)) {
             if (Effort::kSplits && path.maySplit && smoothChance == 0 && branches.count == 2) return takeBoth(path, point, branches);
         }
@@ -163,7 +170,7 @@ class PathTracer {
         if (!has(F, Feature::Delta) || choice < material.smoothAlbedo) {
             if constexpr (has(F, Feature::Smooth)) {
                 const float leafChoice = std::min(choice / material.smoothAlbedo, 0x1.fffffep-1f);
-                const BsdfSample s = sampleSmooth(material, point.wo, {u.x, u.y, u.z}, leafChoice, point.eta);
+                const BsdfSample s = sampleSmooth<F>(material, point.wo, {u.x, u.y, u.z}, leafChoice, point.eta, state_.work);
                 if (!(s.pdf > 0)) return false;
                 path.throughput *= s.f * (std::abs(s.wi.z) / (s.pdf * smoothChance));
                 path.pdf = static_cast<double>(s.pdf) * smoothChance;
@@ -210,7 +217,7 @@ class PathTracer {
     }
 
     void leave(Path& path, const SurfacePoint& point, const Vec3& wi, bool straight) {
-        if constexpr (has(F, Feature::Media)) path.media = mediaBeyond<F>(scene_, point, path.media, wi);
+        if constexpr (has(F, Feature::Media)) path.media = mediaBeyond<F>(state_, point, path.media, wi);
         path.ray = straight ? Ray{point.position, path.ray.direction, point.shape, wi.z < 0} : point.ray(wi);
         path.straightFromCamera = path.straightFromCamera && straight;
         if constexpr (has(F, Feature::Layers)) path.bounces += straight ? 0 : 1;
@@ -222,7 +229,9 @@ class PathTracer {
     bool survives(Path& path) {
         const float size = maxComponent(path.throughput) * path.etaScale;
         if (!(size > 0)) return false;
-        if (path.depth < 2 || size >= Effort::kDim) return true;
+        if (path.depth < 2) return true;
+        ++state_.work[Work::Roulettes];
+        if (size >= Effort::kDim) return true;
         const float chance = std::max(size / Effort::kDim, kLeastChance);
         const SampleBlock u = sampler_.block(sampleBlock(SampleUse::Light, path.depth - 1, path.branch, 63));
         if (u.x >= chance) return false;
@@ -244,7 +253,11 @@ class PathTracer {
         } else {
             const SampleBlock u = sampler_.block(sampleBlock(SampleUse::Light, path.depth, path.branch));
             double chosen = 1;
-            const std::uint32_t light = scene_.lights.pick(u.z, chosen);
+            std::uint32_t light = 0;
+            if (has(F, Feature::NoSkips) || scene_.lights.lights.size() > 1) {
+                ++state_.work[Work::LightChoices];
+                light = scene_.lights.pick(u.z, chosen);
+            }
             addLight(path, point, material, smoothChance, light, chosen, {u.x, u.y});
         }
     }
@@ -252,17 +265,26 @@ class PathTracer {
     void addLight(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance,
                   std::uint32_t light, double chosen, const DVec2& u) {
         Ray from{point.position, point.frame.n, point.shape, !point.outside};
+        ++state_.work[Work::LightSamples];
+        if (light == scene_.lights.environmentLight) ++state_.work[Work::MapLookups];
         const LightSample s = sampleLight(scene_.lights, scene_.shapes, light, from, path.media, u);
         if (!(s.pdf > 0) || isBlack(s.radiance)) return;
         const Vec3 wi = toFloat(point.frame.toLocal(s.wi));
-        const BsdfSample f = evalSmooth(material, point.wo, wi, point.eta);
-        if (isBlack(f.f)) return;
+        const BsdfSample f = evalSmooth<F>(material, point.wo, wi, point.eta, state_.work);
+        if (isBlack(f.f)) {
+            if constexpr (!has(F, Feature::NoSkips)) return;
+            ++state_.work[Work::BlackShadowRays];
+        }
         const Ray ray{point.position, s.wi, point.shape, wi.z < 0};
-        const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(scene_, point, path.media, wi), s.distance, s.shape,
+        const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(state_, point, path.media, wi), s.distance, s.shape,
                                                  scene_.settings.maxDepth - path.depth - 1, false);
         if (isBlack(share)) return;
         const double density = chosen * s.pdf;
-        const double weight = scene_.lights.lights[light].isDelta() ? 1.0 : Heuristic::lightWeight(density, static_cast<double>(f.pdf) * smoothChance);
+        double weight = 1;
+        if (!scene_.lights.lights[light].isDelta()) {
+            ++state_.work[Work::MisWeights];
+            weight = Heuristic::lightWeight(density, static_cast<double>(f.pdf) * smoothChance);
+        }
         const Rgb value = path.throughput * f.f * s.radiance * share * static_cast<float>(weight * std::abs(wi.z) / density);
         sum_ += value;
         state_.addToGroup(scene_.lights.lights[light].group, value);

@@ -27,7 +27,7 @@ class HeadlessRender {
 
     Rendering run() {
         flushDenormals();
-        Scheduler scheduler(pool_);
+        Scheduler scheduler(pool_, wantedFeatures());
         // A request to stop and the end of the time are an epoch that moves; a thread of its own watches for them.
         std::jthread watcher;
         if (request_.stop || scene_.settings.timeSeconds > 0)
@@ -51,6 +51,15 @@ class HeadlessRender {
   private:
     [[nodiscard]] bool timeIsUp() const {
         return scene_.settings.timeSeconds > 0 && secondsSince(start_) >= scene_.settings.timeSeconds;
+    }
+
+    [[nodiscard]] Features wantedFeatures() const {
+        switch (request_.kernel) {
+            case KernelChoice::Smallest: break;
+            case KernelChoice::Full: return kAllFeatures;
+            case KernelChoice::NoSkips: return static_cast<Features>(Feature::NoSkips);
+        }
+        return 0;
     }
 
     /// Raises the epoch when the caller asks to stop or the time is up.
@@ -97,6 +106,8 @@ class HeadlessRender {
         out.seconds = secondsSince(start_);
         out.error = error_;
         out.rays = counts_.rays;
+        out.work = counts_.work;
+        out.kernel = chooseKernel(scene_, wantedFeatures() | (layers_ ? static_cast<Features>(Feature::Layers) : 0)).name;
         out.nonfiniteSamples = counts_.nonfinite;
         out.firstNonfinite = counts_.firstNonfinite;
         out.interrupted = interrupted;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tracer/base/work.h"
 #include "tracer/io/film_exr.h"
 #include "tracer/io/image_file.h"
 #include "tracer/scene/scene.h"
@@ -44,11 +45,19 @@ struct RenderProgress {
     double error = 0;     ///< of the picture, see pictureError(); infinite at first
 };
 
+/// Which kernel traces a scene. All give the same bits; the others show what the smallest one spares.
+enum class KernelChoice {
+    Smallest,  ///< that covers the scene
+    Full,      ///< made for everything a scene can hold
+    NoSkips    ///< does work that cannot count all the same
+};
+
 struct RenderRequest {
     int threads = 0;                  ///< 0: as many as the machine has processors
     std::optional<PixelRect> crop;    ///< in film pixels
     const std::atomic<bool>* stop = nullptr;  ///< set it to end at the next path vertex; what is there is kept
     bool layers = false;              ///< fill Rendering::layers; costs time and some 300 bytes a pixel
+    KernelChoice kernel = KernelChoice::Smallest;
     std::function<void(const RenderProgress&)> progress;  ///< called a few times a second on the calling thread
 };
 
@@ -60,6 +69,8 @@ struct Rendering {
     double seconds = 0;
     double error = 0;  ///< of the picture, see pictureError()
     RayCounts rays;
+    WorkCounts work;
+    std::string kernel;  ///< name of the one that was used
     std::uint64_t nonfiniteSamples = 0;
     std::optional<SamplePlace> firstNonfinite;
     bool interrupted = false;

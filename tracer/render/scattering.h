@@ -30,7 +30,8 @@ struct Branches {
     }
 };
 
-[[nodiscard]] inline Branches deltaBranches(const CompiledMaterial& material, const Vec3& wo, float eta) {
+[[nodiscard]] inline Branches deltaBranches(const CompiledMaterial& material, const Vec3& wo, float eta, WorkCounts& work) {
+    ++work[Work::DeltaLists];
     Branches out;
     for (const WeightedLeaf& weighted : material.leaves)
         std::visit(
@@ -48,23 +49,38 @@ struct Branches {
     return out;
 }
 
+/// Calls `use` with the leaf if it has a smooth part that the kernel knows. The most common leaf is asked for first, which
+/// spares it the jump through a table.
+template <Features F, class Use>
+void withSmoothLeaf(const BsdfLeaf& leaf, WorkCounts& work, Use&& use) {
+    if (const auto* lambert = std::get_if<LambertBsdf>(&leaf)) return use(*lambert);
+    if constexpr (has(F, Feature::Rough)) {
+        std::visit(
+            [&]<class Leaf>(const Leaf& other) {
+                if constexpr (kIsRough<Leaf>) ++work[Work::RoughLobes];
+                if constexpr (Leaf::kSmooth && !std::is_same_v<Leaf, LambertBsdf>) use(other);
+            },
+            leaf);
+    } else if (const auto* translucent = std::get_if<TranslucentBsdf>(&leaf)) {
+        use(*translucent);
+    }
+}
+
 /// Sum of the smooth leaves' f (without the cosine) and their mixture's density.
-[[nodiscard]] inline BsdfSample evalSmooth(const CompiledMaterial& material, const Vec3& wo, const Vec3& wi, float eta) {
+template <Features F>
+[[nodiscard]] BsdfSample evalSmooth(const CompiledMaterial& material, const Vec3& wo, const Vec3& wi, float eta, WorkCounts& work) {
     BsdfSample out{wi};
     for (std::size_t i = 0; i < material.leaves.size(); ++i)
-        std::visit(
-            [&]<class Leaf>(const Leaf& leaf) {
-                if constexpr (Leaf::kSmooth) {
-                    out.f += material.leaves[i].weight * leaf.eval(wo, wi, eta);
-                    out.pdf += material.pick[i] * leaf.pdf(wo, wi, eta);
-                }
-            },
-            material.leaves[i].leaf);
+        withSmoothLeaf<F>(material.leaves[i].leaf, work, [&](const auto& leaf) {
+            out.f += material.leaves[i].weight * leaf.eval(wo, wi, eta);
+            out.pdf += material.pick[i] * leaf.pdf(wo, wi, eta);
+        });
     return out;
 }
 
 /// A direction from the mixture of the smooth leaves. `u`: three numbers for the leaf, one to choose it, all in [0, 1).
-[[nodiscard]] inline BsdfSample sampleSmooth(const CompiledMaterial& material, const Vec3& wo, const Vec3& u, float choice, float eta) {
+template <Features F>
+[[nodiscard]] BsdfSample sampleSmooth(const CompiledMaterial& material, const Vec3& wo, const Vec3& u, float choice, float eta, WorkCounts& work) {
     std::size_t chosen = 0;
     for (std::size_t i = 0; i < material.leaves.size(); ++i) {
         if (!(material.pick[i] > 0)) continue;
@@ -73,23 +89,19 @@ struct Branches {
         choice -= material.pick[i];
     }
     BsdfSample sample;
-    std::visit(
-        [&]<class Leaf>(const Leaf& leaf) {
-            if constexpr (Leaf::kSmooth) sample = leaf.sample(wo, u, eta);
-        },
-        material.leaves[chosen].leaf);
+    withSmoothLeaf<F>(material.leaves[chosen].leaf, work, [&](const auto& leaf) { sample = leaf.sample(wo, u, eta); });
     if (!(sample.pdf > 0)) return {};
     if (material.leaves.size() == 1) {
         sample.f *= material.leaves[0].weight;
         return sample;
     }
-    return evalSmooth(material, wo, sample.wi, eta);
+    return evalSmooth<F>(material, wo, sample.wi, eta, work);
 }
 
 /// Share of light that passes straight through at this angle.
-[[nodiscard]] inline Rgb straightWeight(const CompiledMaterial& material, const Vec3& wo, float eta) {
+[[nodiscard]] inline Rgb straightWeight(const CompiledMaterial& material, const Vec3& wo, float eta, WorkCounts& work) {
     Rgb sum(0.0f);
-    const Branches branches = deltaBranches(material, wo, eta);
+    const Branches branches = deltaBranches(material, wo, eta, work);
     for (int i = 0; i < branches.count; ++i)
         if (const DeltaBranch& b = branches.at[static_cast<std::size_t>(i)]; b.straight) sum += b.weight;
     return sum;

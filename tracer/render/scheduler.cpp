@@ -23,6 +23,7 @@ void merge(RenderCounts& into, const RenderCounts& from) {
     into.rays.primary += from.rays.primary;
     into.rays.shadow += from.rays.shadow;
     into.rays.scatter += from.rays.scatter;
+    into.work += from.work;
     into.nonfinite += from.nonfinite;
     if (!into.firstNonfinite) into.firstNonfinite = from.firstNonfinite;
 }
@@ -31,7 +32,7 @@ void merge(RenderCounts& into, const RenderCounts& from) {
 
 bool Scheduler::renderPass(const RenderScene& scene, Film& film, LayerFilm* layers, const PixelRect& rect, int stride,
                            std::uint32_t samples, const CancelToken& cancel, RenderCounts& counts) {
-    const KernelFunction kernel = chooseKernel(scene, layers ? static_cast<Features>(Feature::Layers) : 0).run;
+    const KernelFunction kernel = chooseKernel(scene, wanted_ | (layers ? static_cast<Features>(Feature::Layers) : 0)).run;
     // A tile of a coarse pass covers more pixels, so that it holds as many samples as any other.
     const int size = kTile * std::min(stride, 16);
     const int columns = (rect.width + size - 1) / size, rows = (rect.height + size - 1) / size;
@@ -52,14 +53,14 @@ bool Scheduler::renderPass(const RenderScene& scene, Film& film, LayerFilm* laye
                     const Rgb value = kernel(state, x, y, pixel.samples);
                     if (state.cancelled) {
                         own.cancelled = true;
-                        merge(own.counts, {state.rays, 0, {}});
+                        merge(own.counts, {state.rays, state.work, 0, {}});
                         return;
                     }
                     if (layers) layers->add(x, y, isFinite(value) ? layerSample : LayerSample{});
                     addSample(pixel, value, x, y, own.counts);
                 }
             }
-        merge(own.counts, {state.rays, 0, {}});
+        merge(own.counts, {state.rays, state.work, 0, {}});
     };
     pool_.run(columns * rows, renderTile);
 

@@ -14,6 +14,7 @@ namespace glint {
 /// What was done so far on one film.
 struct RenderCounts {
     RayCounts rays;
+    WorkCounts work;
     std::uint64_t nonfinite = 0;  ///< samples that were not finite: counted as black
     std::optional<SamplePlace> firstNonfinite;
 };
@@ -22,7 +23,8 @@ class Scheduler {
   public:
     static constexpr int kTile = 16;
 
-    explicit Scheduler(WorkerPool& pool) : pool_(pool) {}
+    /// `wanted`: what kernels must offer beside what the scene holds, see chooseKernel().
+    explicit Scheduler(WorkerPool& pool, Features wanted = 0) : pool_(pool), wanted_(wanted) {}
 
     /// Brings every pixel of `rect` whose x and y are multiples of `stride` to at least `samples` samples. Returns false when
     /// cancelled; finished samples stay, and the same call later goes on where it ended. `layers` may be null.
@@ -31,6 +33,7 @@ class Scheduler {
 
   private:
     WorkerPool& pool_;
+    Features wanted_;
 };
 
 }  // namespace glint

@@ -10,6 +10,7 @@
 #include "tracer/base/channel.h"
 #include "tracer/compile/compiler.h"
 #include "tracer/render/scheduler.h"
+#include "tracer/render/skips.h"
 
 namespace glint {
 
@@ -197,6 +198,7 @@ struct Session::Impl {
         frame.nonfiniteSamples = counts.nonfinite;
         frame.kernel = kernelName(*scene);
         frame.features = featureNames(*scene);
+        frame.skips = skipNames(*scene);
         frame.warnings = warnings;
         frame.scene = scene;
         frames.publish();

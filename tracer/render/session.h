@@ -42,6 +42,7 @@ struct SessionFrame {
     std::uint64_t nonfiniteSamples = 0;
     std::string kernel;                 ///< name of the kernel in use
     std::vector<std::string> features;  ///< what the scene holds
+    std::vector<std::string> skips;     ///< what is left out because the scene lacks it, see skips.h
     std::vector<Error> warnings;        ///< parts of the scene that are missing or not built yet
     std::shared_ptr<const RenderScene> scene;  ///< for picking: see pick.h
 };

@@ -8,10 +8,13 @@ namespace glint {
 
 /// The media of a ray that leaves `point` in the local direction `wi`.
 template <Features F>
-[[nodiscard]] MediaStack mediaBeyond(const RenderScene& scene, const SurfacePoint& point, const MediaStack& media, const Vec3& wi) {
+[[nodiscard]] MediaStack mediaBeyond(KernelState& state, const SurfacePoint& point, const MediaStack& media, const Vec3& wi) {
     MediaStack out = media;
     if constexpr (has(F, Feature::Media))
-        if (point.instance(scene).dielectric && (wi.z > 0) != point.outside) out.cross(point.shape);
+        if (point.instance(state.scene).dielectric && (wi.z > 0) != point.outside) {
+            ++state.work[Work::MediaSteps];
+            out.cross(point.shape);
+        }
     return out;
 }
 
@@ -22,16 +25,19 @@ template <Features F>
     const RenderScene& scene = state.scene;
     Rgb share(1.0f);
     ++state.rays.shadow;
-    if (!has(F, Feature::Straight) && !tinted) {
-        if (scene.lists.occluded(ray, media, tMax, light)) return Rgb(0.0f);
-        if constexpr (has(F, Feature::Media)) share = transmittance(mediumOf(scene, fillingShape(scene, media)), tMax);
+    const bool opaque = !has(F, Feature::NoSkips) && !has(scene.features, Feature::Straight);
+    if ((!has(F, Feature::Straight) || opaque) && !tinted) {
+        if (scene.lists.occluded(ray, media, tMax, light, state.work)) return Rgb(0.0f);
+        if constexpr (has(F, Feature::Media))
+            share = transmittance<F>(mediumOf(scene, fillingShape(scene, media)), tMax, state.work);
         return share;
     }
     while (true) {
-        const ShapeHit hit = scene.lists.closest(ray, media, tMax);
+        ++state.work[Work::ShadowSteps];
+        const ShapeHit hit = scene.lists.closest(ray, media, tMax, state.work);
         const bool arrived = !hit.found() || hit.shape == light;
         if constexpr (has(F, Feature::Media))
-            share *= transmittance(mediumOf(scene, fillingShape(scene, media)), arrived ? tMax : hit.t);
+            share *= transmittance<F>(mediumOf(scene, fillingShape(scene, media)), arrived ? tMax : hit.t, state.work);
         if (arrived || isBlack(share)) return share;
         const SurfacePoint point = surfacePoint(scene, ray, hit, media);
         const ShapeInstance& instance = scene.shapes[hit.shape];
@@ -42,7 +48,7 @@ template <Features F>
         if (!tints) {
             if (passes-- <= 0) return Rgb(0.0f);
             if (isBlack(material.straight) || point.hidden) return Rgb(0.0f);
-            share *= straightWeight(material, point.wo, point.eta);
+            share *= straightWeight(material, point.wo, point.eta, state.work);
             if (isBlack(share)) return share;
         }
         if (instance.dielectric) media.cross(hit.shape);

@@ -23,7 +23,10 @@ inline constexpr Medium kVacuum{};
 }
 
 /// Share of light left after `distance` metres: exp(-absorption * distance), also where that is infinite.
-[[nodiscard]] inline Rgb transmittance(const Medium& medium, double distance) {
+template <Features F>
+[[nodiscard]] Rgb transmittance(const Medium& medium, double distance, WorkCounts& work) {
+    if (!has(F, Feature::NoSkips) && isBlack(medium.absorption)) return Rgb(1.0f);
+    ++work[Work::Exponentials];
     const auto channel = [distance](float a) { return a > 0 ? static_cast<float>(std::exp(-a * distance)) : 1.0f; };
     return {channel(medium.absorption.x), channel(medium.absorption.y), channel(medium.absorption.z)};
 }
