@@ -80,10 +80,7 @@ class ErrorBench {
         for (const std::string& file : options_.files) {
             std::fprintf(stderr, "%s ...\n", file.c_str());
             Result<NamedErrorReport> measured = measure(options_, file);
-            if (!measured) {
-                std::fprintf(stderr, "glint-bench: %s\n", measured.error().text().c_str());
-                return kBadScene;
-            }
+            if (!measured) return complain(measured.error(), kBadScene);
             const NamedErrorReport& named = measured.value();
             json.push_back(toJson(named));
             table.add(rowOf(named));

@@ -1,4 +1,6 @@
 // glint-bench: measurements, one subcommand each. Never a test: a busy machine must not fail a build.
+#include <cstdio>
+
 #include "tests/bench/error.h"
 #include "tests/bench/rays.h"
 #include "tests/bench/scenes.h"
@@ -10,6 +12,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     const std::vector<Command> commands = {errorCommand(app), raysCommand(app), scenesCommand(app), peersCommand(app)};
     CLI11_PARSE(app, argc, argv);
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);  // Long measurements are watched, also through a pipe.
     for (const Command& command : commands)
         if (*command.app) return command.run();
     return kBadArguments;

@@ -11,7 +11,7 @@ namespace glint::bench {
 bool writeText(const std::string& file, const std::string& text) {
     if (file.empty()) return true;
     const Status written = writeWhole(file, text);
-    if (!written) std::fprintf(stderr, "glint-bench: %s\n", written.error().text().c_str());
+    if (!written) complain(written.error(), 0);
     return written.ok();
 }
 
@@ -20,8 +20,13 @@ bool writeJson(const std::string& file, const Json& json) { return writeText(fil
 bool canWrite(const std::string& file) {
     if (file.empty()) return true;
     const Status writable = checkWritable(file);
-    if (!writable) std::fprintf(stderr, "glint-bench: %s\n", writable.error().text().c_str());
+    if (!writable) complain(writable.error(), 0);
     return writable.ok();
+}
+
+int complain(const Error& error, int code) {
+    std::fprintf(stderr, "glint-bench: %s\n", error.text().c_str());
+    return code;
 }
 
 std::string format(const char* pattern, ...) {

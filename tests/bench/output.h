@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tracer/base/result.h"
+
 namespace glint::bench {
 
 using Json = nlohmann::ordered_json;
@@ -17,6 +19,9 @@ using Json = nlohmann::ordered_json;
 
 /// Says so before an hour of measuring ends in a file that cannot be written: true if `file` (empty: none) can be opened for writing.
 [[nodiscard]] bool canWrite(const std::string& file);
+
+/// Prints the error and answers with `code`.
+int complain(const Error& error, int code);
 
 /// printf to a string.
 [[nodiscard]] std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));

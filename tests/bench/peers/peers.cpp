@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "tests/bench/output.h"
+#include "tests/bench/peers/whitted.h"
+#include "tests/bench/scene_list.h"
 #include "tests/bench/peers/renderers.h"
 #include "tests/bench/process.h"
 #include "tests/bench/reference_cache.h"
@@ -16,17 +18,6 @@ namespace glint::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct PeersOptions {
-    std::vector<std::string> files;
-    int width = 160;
-    int threads = 2;
-    int runs = 5;
-    double seconds = 1;
-    bool exact = false;
-    double referenceFactor = 100;
-    std::string json, pictures, cache = usualCacheFolder().string();
-};
 
 /// References are means of this many renders, from whose spread their own uncertainty is known.
 constexpr int kReferenceRenders = 4;
@@ -156,14 +147,12 @@ class PeersBench {
 
     int run() {
         if (!canWrite(options_.json)) return kCannotWrite;
-        if (findProgram("blender").empty()) {
-            std::fprintf(stderr, "glint-bench: Blender is not installed, so there is nothing to compare with (apt-get install blender)\n");
-            return kOk;
-        }
         std::error_code failed;
         folder_ = fs::temp_directory_path() / format("glint-peers-%d", static_cast<int>(getpid()));
         fs::create_directories(folder_, failed);
         if (!options_.pictures.empty()) fs::create_directories(options_.pictures, failed);
+        cycles_ = present("blender", "Blender, for scenes of the path integrator");
+        povray_ = present("povray", "POV-Ray, for scenes of the classic integrator");
         const int code = compareAll();
         fs::remove_all(folder_, failed);
         if (code != kOk) return code;
@@ -173,27 +162,36 @@ class PeersBench {
 
   private:
     int compareAll() {
-        std::printf("Efficiency is 1 / (relMSE x time); a ratio above 1 is in Glint's favour. At %d pixels wide, %d threads, %d runs of about %g s\n"
-                    "each in turn, against references of %g times the samples.\n\n", options_.width, options_.threads, options_.runs,
-                    options_.seconds, options_.referenceFactor);
+        std::printf("Efficiency is 1 / (relMSE x time); ratios above 1 are in Glint's favour. At %d pixels wide, %d threads, %d runs of about %g s of\n"
+                    "processor time each in turn, against references of %g times the samples: at least %.0f s if none is kept in %s.\n\n", options_.width,
+                    options_.threads, options_.runs, options_.seconds, options_.referenceFactor,
+                    static_cast<double>(options_.files.size()) * options_.seconds * (options_.referenceFactor + options_.runs), options_.cache.c_str());
         for (const std::string& file : options_.files) {
-            Result<PeerScene> scene = loadPeerScene(file, options_.width, options_.threads, folder_);
-            if (!scene) return complain(scene.error(), kBadScene);
-            PeerScene peer = std::move(scene).value();
-            peer.exact = options_.exact;
-            SceneComparison comparison(options_, std::move(peer));
-            if (Status added = comparison.add("glint", startGlint(comparison.scene())); !added) return complain(added.error(), kBadScene);
-            if (Status added = comparison.add("cycles", startCycles(comparison.scene())); !added) return complain(added.error(), kFailed);
-            if (Status measured = comparison.measure(); !measured) return complain(measured.error(), kFailed);
-            if (Status saved = savePictures(options_.pictures, comparison); !saved) return complain(saved.error(), kCannotWrite);
-            report(comparison);
+            Result<PeerScene> loaded = loadPeerScene(file, options_.width, options_.threads, folder_);
+            if (!loaded) return complain(loaded.error(), kBadScene);
+            PeerScene scene = std::move(loaded).value();
+            scene.exact = options_.exact;
+            const bool classic = scene.scene.render.integrator == Integrator::Classic;
+            if (!(classic ? povray_ : cycles_)) continue;
+            if (const int code = classic ? compareWithPovray(options_, scene, whitted_) : compareWithCycles(scene); code != kOk) return code;
         }
         return kOk;
     }
 
-    static int complain(const Error& error, int code) {
-        std::fprintf(stderr, "glint-bench: %s\n", error.text().c_str());
-        return code;
+    int compareWithCycles(const PeerScene& scene) {
+        SceneComparison comparison(options_, scene);
+        if (Status added = comparison.add("glint", startGlint(scene)); !added) return complain(added.error(), kBadScene);
+        if (Status added = comparison.add("cycles", startCycles(scene)); !added) return complain(added.error(), kFailed);
+        if (Status measured = comparison.measure(); !measured) return complain(measured.error(), kFailed);
+        if (Status saved = savePictures(options_.pictures, comparison); !saved) return complain(saved.error(), kCannotWrite);
+        report(comparison);
+        return kOk;
+    }
+
+    static bool present(const std::string& program, const char* what) {
+        const bool found = !findProgram(program).empty();
+        if (!found) std::fprintf(stderr, "glint-bench: not installed, so skipped: %s (apt-get install %s)\n", what, program.c_str());
+        return found;
     }
 
     void report(const SceneComparison& comparison) {
@@ -225,6 +223,7 @@ class PeersBench {
     }
 
     void summarize() {
+        whitted_.summarize(json_);
         if (cpu_.empty()) return;
         const auto worst = static_cast<std::size_t>(std::min_element(cpu_.begin(), cpu_.end()) - cpu_.begin());
         std::printf("\nefficiency ratio to Cycles: geometric mean %.2f, by processor time %.2f; worst %.2f (%s)\n", geometricMean(wall_), geometricMean(cpu_),
@@ -237,6 +236,8 @@ class PeersBench {
     fs::path folder_;
     std::vector<double> wall_, cpu_;
     std::vector<std::string> names_;
+    WhittedFigures whitted_;
+    bool cycles_ = false, povray_ = false;
     Json json_;
 };
 
@@ -244,13 +245,13 @@ class PeersBench {
 
 Command peersCommand(CLI::App& root) {
     auto options = std::make_shared<PeersOptions>();
-    CLI::App* app = root.add_subcommand("peers", "Efficiency against Blender's Cycles on the same scenes, and whether the pictures agree");
-    app->add_option("FILES", options->files, "Scene files")->required()->check(CLI::ExistingFile);
-    app->add_option("--width", options->width, "Pixels across; the shape stays")->check(CLI::Range(8, 8192));
-    app->add_option("--threads", options->threads, "Threads of each renderer")->check(CLI::Range(1, 1024));
-    app->add_option("--runs", options->runs, "Renders of each, in turn, each with its own seed")->check(CLI::Range(1, 1000));
-    app->add_option("--seconds", options->seconds, "Processor time of one render, about")->check(CLI::Range(0.01, 3600.0));
-    app->add_option("--reference", options->referenceFactor, "Samples of the references, in multiples of a render's")->check(CLI::Range(1.0, 1e6));
+    CLI::App* app = root.add_subcommand("peers", "Efficiency against Blender's Cycles (scenes of the classic integrator: POV-Ray), and whether the pictures agree");
+    addSceneFiles(*app, options->files, "tests/bench/scenes and scenes/demo", {"tests/bench/scenes/path", "tests/bench/scenes/classic", "scenes/demo"});
+    app->add_option("--width", options->width, "Pixels across; the shape stays")->check(CLI::Range(8, 8192))->capture_default_str();
+    app->add_option("--threads", options->threads, "Threads of each renderer")->check(CLI::Range(1, 1024))->capture_default_str();
+    app->add_option("--runs", options->runs, "Renders of each, in turn, each with its own seed")->check(CLI::Range(1, 1000))->capture_default_str();
+    app->add_option("--seconds", options->seconds, "Processor time of one render, about")->check(CLI::Range(0.01, 3600.0))->capture_default_str();
+    app->add_option("--reference", options->referenceFactor, "Samples of the references, in multiples of a render's")->check(CLI::Range(1.0, 1e6))->capture_default_str();
     app->add_flag("--exact", options->exact, "Set Cycles up for the same picture (emissive meshes, energy kept between microfacets), not for speed");
     app->add_option("--cache", options->cache, "Folder where references are kept")->capture_default_str();
     app->add_option("--pictures", options->pictures, "Folder for the references as EXR, to look at");
