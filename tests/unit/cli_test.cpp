@@ -16,6 +16,7 @@
 #include "tests/support/temp_folder.h"
 #include "tracer/io/film_exr.h"
 #include "tracer/io/image_file.h"
+#include "tracer/io/rendering_file.h"
 #include "tracer/io/scene_json.h"
 
 extern char** environ;
@@ -223,7 +224,7 @@ TEST_F(Cli, ExrTellsWhatItShows) {
     const ImageMetadata& metadata = file.value().metadata;
     EXPECT_EQ(metadata.at("glint:seed"), "3");
     EXPECT_EQ(metadata.at("glint:spp"), "4");
-    EXPECT_EQ(metadata.at("glint:sceneHash"), sceneHash(loadScene(folder_ / "scene.json").value()));
+    EXPECT_EQ(metadata.at("glint:sceneHash"), sceneHash(worldOf(loadScene(folder_ / "scene.json").value())));
     EXPECT_FALSE(metadata.at("glint:version").empty());
 }
 
@@ -278,6 +279,65 @@ TEST_F(Cli, ExposureDoublesWithEachStepInDisplayFormatsOnly) {
     EXPECT_NEAR(value("a.png", "2"), 0.4F, 0.006F);
     EXPECT_NEAR(value("a.png", "-1"), 0.05F, 0.002F);
     EXPECT_FLOAT_EQ(value("a.exr", "2"), 0.1F);
+}
+
+TEST_F(Cli, VerifyFindsTheSameBitsAgain) {
+    const std::vector<std::vector<std::string>> ways{
+        {"a.exr"}, {"b.png", "--bits", "16"}, {"c.jpg", "--spp", "6", "--seed", "9"}, {"d.tif", "--transparent"}, {"e.exr", "--transparent", "--layers", "--bits", "16"},
+        {"f.exr", "--crop", "5,3,10,8", "--size", "40x20", "--integrator", "classic"}, {"g.png", "--exposure", "2", "--transparent"}, {"h.exr", "--time", "0.2", "--spp", "1000000"}};
+    for (const auto& way : ways) {
+        std::vector<std::string> arguments{"scene.json", "-o"};
+        arguments.insert(arguments.end(), way.begin(), way.end());
+        expect(0, "", arguments);
+        expect(0, "bit for bit", {"--verify", way.front(), "scene.json"});
+        expect(0, "bit for bit", {"--verify", way.front(), "scene.json", "--threads", "1"});
+    }
+}
+
+TEST_F(Cli, VerifyNamesAChangedPixelOrScene) {
+    expect(0, "", {"scene.json", "-o", "a.exr"});
+    ExrFile file = loadExr(folder_ / "a.exr").value();
+    for (ExrChannel& channel : file.channels)
+        if (channel.name == "G") channel.values[3 * 24 + 7] = std::nextafter(channel.values[3 * 24 + 7], 10.0F);
+    ASSERT_TRUE(saveExr(folder_ / "touched.exr", file));
+    expect(4, "in 1 of 24 x 16 pixels", {"--verify", "touched.exr", "scene.json"});
+    expect(4, "7,3", {"--verify", "touched.exr", "scene.json"});
+    std::string other = kScene;
+    other.replace(other.find("0.7, 0.1, 0.1"), 13, "0.7, 0.1, 0.2");
+    folder_.write("other.json", other);
+    expect(4, "another scene", {"--verify", "a.exr", "other.json"});
+    folder_.write("view.json", std::string(kScene).replace(14, 0, R"( "views": [{"position": [1, 2, 3]}],)"));
+    expect(0, "bit for bit", {"--verify", "a.exr", "view.json"});
+}
+
+TEST_F(Cli, VerifySaysWhatItCannotCompare) {
+    expect(0, "", {"scene.json", "-o", "a.hdr"});
+    expect(2, "does not say how it was made", {"--verify", "a.hdr", "scene.json"});
+    expect(2, "no such file", {"--verify", "none.exr", "scene.json"});
+    folder_.write("text.png", "no picture");
+    expect(2, "not a readable picture", {"--verify", "text.png", "scene.json"});
+}
+
+TEST_F(Cli, TransparentPicturesHaveTheObjectsAsAlpha) {
+    expect(0, "", {"scene.json", "-o", "a.exr", "--transparent"});
+    expect(0, "", {"scene.json", "-o", "a.png", "--transparent"});
+    const auto exr = loadRaw(folder_ / "a.exr"), png = loadRaw(folder_ / "a.png");
+    ASSERT_TRUE(exr && png);
+    const auto& alpha = exr.value().channels.at("A");
+    const std::size_t corner = 0, middle = 8 * 24 + 12;
+    EXPECT_EQ(alpha[corner], 0);
+    EXPECT_EQ(alpha[middle], 1);
+    EXPECT_EQ(exr.value().channels.at("R")[corner], 0);
+    EXPECT_GT(exr.value().channels.at("R")[middle], 0);
+    EXPECT_TRUE(std::any_of(alpha.begin(), alpha.end(), [](float a) { return a > 0 && a < 1; }));
+    for (std::size_t i = 0; i < alpha.size(); ++i) EXPECT_NEAR(png.value().channels.at("A")[i], alpha[i], 0.5F / 255 + 1e-6F);
+}
+
+TEST_F(Cli, FormatsRefuseWhatTheyCannotHold) {
+    expect(1, "cannot be transparent", {"scene.json", "-o", "a.jpg", "--transparent"});
+    expect(1, "use 8 or 16", {"scene.json", "-o", "a.png", "--bits", "32"});
+    expect(1, "cannot hold layers", {"scene.json", "-o", "a.png", "--layers"});
+    expect(1, "use 32 or 16", {"scene.json", "-o", "a.exr", "--bits", "8"});
 }
 
 TEST_F(Cli, WhatIsNotBuiltYetIsNamedAndDoesNotStop) {

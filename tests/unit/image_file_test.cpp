@@ -29,10 +29,10 @@ Image gradient() {
     return out;
 }
 
-std::vector<unsigned char> bytes() {
-    std::vector<unsigned char> out;
+DisplayImage bytes() {
+    DisplayImage out{kWidth, kHeight, 3, 8, {}};
     for (int i = 0; i < 3 * kWidth * kHeight; ++i)
-        out.push_back(static_cast<unsigned char>(i % 3 == 0 ? 40 : (i / 12) % 256));
+        out.codes.push_back(static_cast<std::uint16_t>(i % 3 == 0 ? 40 : (i / 12) % 256));
     return out;
 }
 
@@ -119,14 +119,14 @@ TEST_P(LosslessBytes, ComeBackAsLinearLight) {
     const TempFolder folder;
     const fs::path path = folder / (std::string("a") + GetParam());
     const auto display = bytes();
-    ASSERT_TRUE(saveDisplay(path, kWidth, kHeight, display, kMetadata));
+    ASSERT_TRUE(saveDisplay(path, display, kMetadata));
     const auto srgb = loadImage(path);
     ASSERT_TRUE(srgb) << srgb.error().text();
     const auto linear = loadImage(path, ColorSpace::Linear);
     ASSERT_TRUE(linear) << linear.error().text();
-    ASSERT_EQ(srgb.value()->rgb.size(), display.size());
-    for (std::size_t i = 0; i < display.size(); ++i) {
-        const float coded = static_cast<float>(display[i]) / 255;
+    ASSERT_EQ(srgb.value()->rgb.size(), display.codes.size());
+    for (std::size_t i = 0; i < display.codes.size(); ++i) {
+        const float coded = static_cast<float>(display.codes[i]) / 255;
         ASSERT_NEAR(linear.value()->rgb[i], coded, 1e-6F) << i;
         ASSERT_NEAR(srgb.value()->rgb[i], linearFromSrgb(coded), 2e-5F) << i;
     }
@@ -140,15 +140,15 @@ INSTANTIATE_TEST_SUITE_P(ImageFile, LosslessBytes, testing::Values(".png", ".tif
 
 TEST(ImageFile, JpegIsNearAndKeepsTheMetadata) {
     const TempFolder folder;
-    std::vector<unsigned char> display(3 * 64 * 64);
-    for (std::size_t i = 0; i < display.size(); ++i)
-        display[i] = static_cast<unsigned char>(60 + 30 * (i % 3) + i / 3 % 64);
+    DisplayImage display{64, 64, 3, 8, std::vector<std::uint16_t>(3 * 64 * 64)};
+    for (std::size_t i = 0; i < display.codes.size(); ++i)
+        display.codes[i] = static_cast<std::uint16_t>(60 + 30 * (i % 3) + i / 3 % 64);
     for (const char* name : {"a.jpg", "b.JPEG"}) {
-        ASSERT_TRUE(saveDisplay(folder / name, 64, 64, display, kMetadata));
+        ASSERT_TRUE(saveDisplay(folder / name, display, kMetadata));
         const auto again = loadImage(folder / name, ColorSpace::Linear);
         ASSERT_TRUE(again) << again.error().text();
-        for (std::size_t i = 0; i < display.size(); ++i)
-            ASSERT_NEAR(again.value()->rgb[i] * 255, static_cast<float>(display[i]), 6.0F);
+        for (std::size_t i = 0; i < display.codes.size(); ++i)
+            ASSERT_NEAR(again.value()->rgb[i] * 255, static_cast<float>(display.codes[i]), 6.0F);
         EXPECT_NE(test::fileContent(folder / name).find("glint:seed=7"), std::string::npos);
     }
 }
@@ -174,7 +174,49 @@ TEST(ImageFile, SixteenBitsAreReadAndAlphaIsDroppedUnmultiplied) {
     }
 }
 
+class DeepDisplay : public testing::TestWithParam<std::tuple<const char*, int>> {};
+
+TEST_P(DeepDisplay, KeepsEveryCodeAlphaAndText) {
+    const TempFolder folder;
+    const auto [ending, bits] = GetParam();
+    const fs::path path = folder / (std::string("a") + ending);
+    DisplayImage display{kWidth, kHeight, 4, bits, {}};
+    for (int i = 0; i < 4 * kWidth * kHeight; ++i)
+        display.codes.push_back(static_cast<std::uint16_t>((i * 40503) % (bits == 8 ? 256 : 65536)));
+    ASSERT_TRUE(saveDisplay(path, display, kMetadata));
+    const auto raw = loadRaw(path);
+    ASSERT_TRUE(raw) << raw.error().text();
+    ASSERT_EQ(raw.value().channels.size(), 4u);
+    const float most = bits == 8 ? 255 : 65535;
+    for (std::size_t i = 0; i < display.codes.size(); ++i)
+        ASSERT_NEAR(raw.value().channels.at(std::string(1, "RGBA"[i % 4]))[i / 4] * most, display.codes[i], 0.01F) << i;
+    for (const auto& [key, value] : kMetadata) EXPECT_EQ(raw.value().metadata.at(key), value) << key;
+}
+
+INSTANTIATE_TEST_SUITE_P(ImageFile, DeepDisplay, testing::Combine(testing::Values(".png", ".tif"), testing::Values(8, 16)),
+                         [](const auto& test) { return std::string(std::get<0>(test.param) + 1) + std::to_string(std::get<1>(test.param)); });
+
+TEST(ImageFile, HalfExrRoundsColoursOnlyAndNeverToInfinity) {
+    const TempFolder folder;
+    const ExrFile file{2, 1, {{"R", {0.1F, 1e9F}}, {"depth.Z", {0.1F, 1e9F}}}, kMetadata, true};
+    ASSERT_TRUE(saveExr(folder / "a.exr", file));
+    const auto raw = loadRaw(folder / "a.exr");
+    ASSERT_TRUE(raw) << raw.error().text();
+    EXPECT_NEAR(raw.value().channels.at("R")[0], 0.1F, 5e-5F);
+    EXPECT_NE(raw.value().channels.at("R")[0], 0.1F);
+    EXPECT_EQ(raw.value().channels.at("R")[1], 65504.0F);
+    EXPECT_EQ(raw.value().channels.at("depth.Z"), (std::vector<float>{0.1F, 1e9F}));
+    EXPECT_EQ(raw.value().metadata.at("glint:spp"), "64");
+}
+
 TEST(ImageFile, KnowsItsFormats) {
+    EXPECT_EQ(bitDepths("a.exr"), (std::vector<int>{32, 16}));
+    EXPECT_EQ(bitDepths("a.png"), (std::vector<int>{8, 16}));
+    EXPECT_EQ(bitDepths("a.jpeg"), std::vector<int>{8});
+    EXPECT_EQ(bitDepths("a.gif"), std::vector<int>{});
+    EXPECT_TRUE(holdsAlpha("a.tif"));
+    EXPECT_FALSE(holdsAlpha("a.jpg"));
+    EXPECT_FALSE(holdsAlpha("a.hdr"));
     EXPECT_TRUE(isLinearFormat("a/b.exr"));
     EXPECT_TRUE(isLinearFormat("b.HDR"));
     EXPECT_FALSE(isLinearFormat("b.png"));
@@ -205,7 +247,7 @@ TEST(ImageFile, BrokenFilesNeverCrash) {
     const TempFolder folder;
     std::mt19937 random(5);
     ASSERT_TRUE(saveLinear(folder / "a.exr", gradient(), kMetadata));
-    ASSERT_TRUE(saveDisplay(folder / "a.png", kWidth, kHeight, bytes(), kMetadata));
+    ASSERT_TRUE(saveDisplay(folder / "a.png", bytes(), kMetadata));
     ASSERT_TRUE(saveLinear(folder / "a.hdr", gradient(), kMetadata));
     for (const char* name : {"a.exr", "a.png", "a.hdr"}) {
         const std::string good = test::fileContent(folder / name);
@@ -247,7 +289,7 @@ TEST(ImageFile, WritingNowhereIsAnErrorAndLeavesNothing) {
     const TempFolder folder;
     for (const char* name : {"none/a.exr", "none/a.hdr"})
         EXPECT_FALSE(saveLinear(folder / name, gradient(), {}));
-    EXPECT_FALSE(saveDisplay(folder / "none/a.png", kWidth, kHeight, bytes(), {}));
+    EXPECT_FALSE(saveDisplay(folder / "none/a.png", bytes(), {}));
     fs::create_directory(folder / "a.exr");
     EXPECT_EQ(saveLinear(folder / "a.exr", gradient(), {}).error().message, "is a folder");
     EXPECT_EQ(folder.count(), 1u);

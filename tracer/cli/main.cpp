@@ -9,6 +9,7 @@
 #include "tracer/cli/interrupt.h"
 #include "tracer/cli/options.h"
 #include "tracer/cli/progress.h"
+#include "tracer/cli/verify.h"
 #include "tracer/compile/compiler.h"
 #include "tracer/io/atomic_file.h"
 #include "tracer/io/render_stats.h"
@@ -102,10 +103,8 @@ ExitCode printPixel(const RenderScene& scene, const SamplePlace& place) {
 Rendering renderWithProgress(const Options& options, const Compiled& compiled,
                              const std::atomic<bool>& stop) {
     ProgressBar bar(options.quiet ? ProgressBar::Mode::Off : ProgressBar::Mode::Automatic);
-    RenderRequest request;
+    RenderRequest request = requestFor(options.picture);
     request.threads = options.threads;
-    request.crop = options.crop;
-    request.layers = options.layers;
     request.stop = &stop;
     request.progress = [&](const RenderProgress& progress) { bar.show(progress); };
     Rendering rendering = render(compiled.scene, request);
@@ -122,7 +121,9 @@ ExitCode renderToFiles(const Options& options, const Scene& scene, const Compile
         return ExitCode::Interrupted;
     }
     reportNonfinite(options, rendering);
-    Status saved = saveRendering(options.output, scene, rendering);
+    std::string features;
+    for (const std::string& name : featureNames(*compiled.scene)) features += (features.empty() ? "" : ", ") + name;
+    Status saved = saveRendering(options.output, scene, rendering, options.picture, features);
     if (saved && !options.stats.empty()) {
         RenderStats stats = statsFor(options, scene, compiled, rendering);
         stats.setupSeconds = setupSeconds;
@@ -147,6 +148,7 @@ ExitCode run(const Options& options) {
         return ExitCode::Done;
     }
     const std::atomic<bool>& stop = watchInterrupts();
+    if (!options.verify.empty()) return verifyPicture(options, stop);
     const auto start = std::chrono::steady_clock::now();
     const auto fail = [](const Error& error, ExitCode code) {
         say(error.text());
@@ -159,7 +161,7 @@ ExitCode run(const Options& options) {
     if (const auto problem = outputProblem(options)) return fail(*problem, ExitCode::Output);
 
     AssetCache assets;
-    const auto compiled = compile(scene.value(), options.scene.parent_path(), assets);
+    const auto compiled = compile(sceneFor(scene.value(), options.picture), options.scene.parent_path(), assets);
     if (!compiled) return fail(compiled.error(), ExitCode::Scene);
     if (reportWarnings(compiled.value())) return ExitCode::Scene;
     if (options.pixel) return printPixel(*compiled.value().scene, *options.pixel);

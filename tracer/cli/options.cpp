@@ -73,7 +73,7 @@ void addPictureOptions(CLI::App& app, Options& options) {
            "--crop",
            [&](const std::string& text) {
                const auto r = integers<4>(text, ',', "X,Y,WIDTH,HEIGHT");
-               options.crop = PixelRect{r[0], r[1], r[2], r[3]};
+               options.picture.crop = PixelRect{r[0], r[1], r[2], r[3]};
            },
            "Render only this part; the rest stays black")
         ->type_name("X,Y,W,H");
@@ -103,29 +103,37 @@ void addProgramOptions(CLI::App& app, Options& options) {
            },
            "Print the value of one sample instead of rendering")
         ->type_name("X,Y,SAMPLE");
-    app.add_flag("--layers", options.layers,
+    app.add_flag("--layers", options.picture.layers,
                  "Write light, albedo, normal, depth, position, ids, sample count and error as "
                  "layers of the .exr");
     app.add_option("--stats", options.stats, "Write statistics as JSON")->type_name("FILE");
     app.add_flag("--quiet", options.quiet, "No progress and no summary");
+    app.add_option("--bits", options.picture.bits,
+                   "Bits a channel: 8 or 16 for .png and .tif, 16 or 32 for .exr")
+        ->type_name("N");
+    app.add_flag("--transparent", options.picture.transparent,
+                 "An alpha channel instead of the environment behind the objects");
+    app.add_option("--verify", options.verify,
+                   "Render a picture that Glint wrote again from its metadata, and compare the bits")
+        ->type_name("PICTURE");
     app.add_flag("--schema", options.schema, "Print the JSON Schema of scene files and end");
     app.set_version_flag("--version", std::string("glint-render ") + GLINT_VERSION);
     app.footer(
-        "Exit codes: 0 done, 1 usage, 2 scene or asset wrong, 3 output cannot be written, 130 "
-        "interrupted.");
+        "Exit codes: 0 done, 1 usage, 2 scene or asset wrong, 3 output cannot be written, 4 --verify "
+        "found a difference, 130 interrupted.");
 }
 
 /// What the parser cannot know: which options need or exclude each other.
 void checkTogether(const Options& options) {
     if (options.schema) return;
     if (options.scene.empty()) throw CLI::RequiredError("SCENE");
-    if (options.pixel) return;
-    if (options.output.empty()) throw CLI::RequiredError("-o FILE, or --pixel");
+    if (options.pixel || !options.verify.empty()) return;
+    if (options.output.empty()) throw CLI::RequiredError("-o FILE, --pixel or --verify");
     if (!isWritableFormat(options.output))
         throw CLI::ValidationError("cannot write \"" + options.output.string() +
                                    "\": its ending is none of " + endingsText());
-    if (options.layers && options.output.extension() != ".exr")
-        throw CLI::ValidationError("--layers needs an output that ends in .exr");
+    if (const Status good = checkPicture(options.output, options.picture); !good)
+        throw CLI::ValidationError(good.error().text());
 }
 
 Error optionError(const char* option, std::string message, std::string remedy) {
@@ -184,7 +192,7 @@ std::optional<Error> putAll(Scene& scene, const Options& options) {
 std::optional<Error> checkPlaces(const FilmSettings& film, const Options& options) {
     const std::string size =
         "the film is " + std::to_string(film.width) + " x " + std::to_string(film.height);
-    const auto& crop = options.crop;
+    const auto& crop = options.picture.crop;
     if (crop && (crop->x < 0 || crop->y < 0 || crop->width < 1 || crop->height < 1 ||
                  crop->width > film.width - crop->x || crop->height > film.height - crop->y))
         return optionError("--crop", "reaches out of the picture", size);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tracer/base/result.h"
+#include "tracer/io/rendering_file.h"
 #include "tracer/render/render.h"
 
 namespace glint {
@@ -24,11 +25,11 @@ struct Options {
     std::optional<Integrator> integrator;
     std::optional<int> seed;
     int threads = 0;  ///< 0: as many as there are processors
-    std::optional<PixelRect> crop;
+    PictureOptions picture;
+    std::filesystem::path verify;  ///< a picture to render again and compare; empty: none
     std::optional<SamplePlace> pixel;
     std::vector<std::pair<std::string, std::string>> settings;  ///< JSON pointer, value
     std::optional<double> exposureEv;
-    bool layers = false;
     bool quiet = false;
     bool schema = false;
 };

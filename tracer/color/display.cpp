@@ -54,4 +54,11 @@ std::uint32_t DisplayTransform::apply(const Rgb& linear) const {
            table.encode(linear.z * scale_);
 }
 
+std::array<std::uint16_t, 3> DisplayTransform::apply16(const Rgb& linear) const {
+    constexpr std::uint16_t kMost = 65535;
+    if (std::isnan(linear.x) || std::isnan(linear.y) || std::isnan(linear.z)) return {kMost, 0, kMost};
+    const auto code = [&](float v) { return static_cast<std::uint16_t>(srgbFromLinear(v * scale_) * kMost + 0.5f); };
+    return {code(linear.x), code(linear.y), code(linear.z)};
+}
+
 }  // namespace glint

@@ -1,6 +1,7 @@
 // From linear light to the screen: a pure function of the film. Changing it never restarts a render.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "tracer/color/rgb.h"
@@ -24,6 +25,8 @@ class DisplayTransform {
     explicit DisplayTransform(const DisplaySettings& settings);
     /// 0xffRRGGBB. Not-a-number shows as magenta, so that it cannot hide.
     [[nodiscard]] std::uint32_t apply(const Rgb& linear) const;
+    /// The same as 16-bit codes, each the nearest.
+    [[nodiscard]] std::array<std::uint16_t, 3> apply16(const Rgb& linear) const;
 
   private:
     float scale_;

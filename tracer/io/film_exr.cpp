@@ -42,11 +42,17 @@ class ExrStream : public Imf::OStream {
     std::FILE* stream_;
 };
 
+constexpr float kLargestHalf = 65504;
+
+bool isHalf(const ExrFile& file, const ExrChannel& channel) {
+    return file.halfColors && std::string_view("RGBA").find(channel.name.back()) != std::string_view::npos;
+}
+
 Imf::Header headerOf(const ExrFile& file) {
     Imf::Header header(file.width, file.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const ExrChannel& channel : file.channels)
-        header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+        header.channels().insert(channel.name, Imf::Channel(isHalf(file, channel) ? Imf::HALF : Imf::FLOAT));
     for (const auto& [key, value] : file.metadata) header.insert(key, Imf::StringAttribute(value));
     return header;
 }
@@ -63,8 +69,18 @@ Imf::Slice sliceOf(const float* values, int xMin, int yMin, int width) {
 void writePixels(Imf::OStream& stream, const ExrFile& file) {
     Imf::OutputFile output(stream, headerOf(file), 0);
     Imf::FrameBuffer buffer;
-    for (const ExrChannel& channel : file.channels)
-        buffer.insert(channel.name, sliceOf(channel.values.data(), 0, 0, file.width));
+    std::vector<std::vector<Imath::half>> halves(file.channels.size());
+    for (std::size_t i = 0; i < halves.size(); ++i) {
+        const ExrChannel& channel = file.channels[i];
+        if (!isHalf(file, channel)) {
+            buffer.insert(channel.name, sliceOf(channel.values.data(), 0, 0, file.width));
+            continue;
+        }
+        // What is brighter than a half can say becomes its largest number, not infinity.
+        for (const float value : channel.values) halves[i].emplace_back(std::clamp(value, -kLargestHalf, kLargestHalf));
+        buffer.insert(channel.name, Imf::Slice(Imf::HALF, reinterpret_cast<char*>(halves[i].data()), sizeof(Imath::half),
+                                               sizeof(Imath::half) * static_cast<std::size_t>(file.width)));
+    }
     output.setFrameBuffer(buffer);
     output.writePixels(file.height);
 }

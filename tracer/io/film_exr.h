@@ -1,4 +1,4 @@
-// EXR files: 32-bit float, any channels, text metadata. OpenEXR only; no other library.
+// EXR files: floats, any channels, text metadata. OpenEXR only; no other library.
 #pragma once
 
 #include <filesystem>
@@ -19,9 +19,10 @@ struct ExrFile {
     int width = 0, height = 0;
     std::vector<ExrChannel> channels;
     ImageMetadata metadata;
+    bool halfColors = false;  ///< 16 bits for channels of colours (R, G, B, A); the others need all 32
 };
 
-/// Writes 32-bit float, ZIP compressed; whole or not at all.
+/// Writes floats, ZIP compressed; whole or not at all.
 [[nodiscard]] Status saveExr(const std::filesystem::path& path, const ExrFile& file);
 /// Reads all channels of the first part as floats.
 [[nodiscard]] Result<ExrFile> loadExr(const std::filesystem::path& path);

@@ -73,13 +73,16 @@ std::string endingOf(const fs::path& path) {
 /// A picture while the module fills it.
 struct Filling {
     Image image;
+    std::size_t channels = 3;  ///< of image.rgb
     bool integers = false;
     std::size_t rows = 0;
+    std::string description;
 
-    int begin(int width, int height, bool whole) {
+    int begin(int width, int height, int channelCount, bool whole) {
         if (std::int64_t{width} * height > kMostImagePixels) return 0;
         image.width = width;
         image.height = height;
+        channels = static_cast<std::size_t>(channelCount);
         integers = whole;
         image.rgb.reserve(rowLength() * static_cast<std::size_t>(height));
         return 1;
@@ -91,7 +94,7 @@ struct Filling {
         return image.rgb.data() + at;
     }
     [[nodiscard]] std::size_t rowLength() const {
-        return 3 * static_cast<std::size_t>(image.width);
+        return channels * static_cast<std::size_t>(image.width);
     }
 };
 
@@ -105,18 +108,25 @@ auto orNothing(Work&& work) noexcept -> decltype(work()) {
     }
 }
 
-Result<Filling> readByModule(const fs::path& path) {
+enum class Alpha { Drop, Keep };
+
+Result<Filling> readByModule(const fs::path& path, Alpha alpha) {
     if (!imageModule().read) return moduleError(path);
     Filling filling;
     const GlintPictureSink sink{
         &filling,
-        [](void* context, int width, int height, int integers) {
+        alpha == Alpha::Keep ? 1 : 0,
+        [](void* context, int width, int height, int channels, int integers) {
             return orNothing([&] {
-                return static_cast<Filling*>(context)->begin(width, height, integers != 0);
+                return static_cast<Filling*>(context)->begin(width, height, channels,
+                                                             integers != 0);
             });
         },
         [](void* context, int count) {
             return orNothing([&] { return static_cast<Filling*>(context)->next(count); });
+        },
+        [](void* context, const char* text) {
+            return orNothing([&] { return static_cast<Filling*>(context)->description = text, 1; });
         }};
     std::array<char, 400> error{};
     if (imageModule().read(path.c_str(), &sink, error.data(), error.size())) return filling;
@@ -198,6 +208,22 @@ std::vector<GlintText> textsOf(const ImageMetadata& metadata) {
     return out;
 }
 
+/// The texts in a description that the module wrote: "key=value key=value", all keys in one name
+/// space.
+ImageMetadata metadataIn(const std::string& description) {
+    constexpr std::string_view kSpace = "glint:";
+    ImageMetadata out;
+    std::size_t at = description.starts_with(kSpace) ? 0 : std::string::npos;
+    while (at != std::string::npos) {
+        const std::size_t next = description.find(" " + std::string(kSpace), at);
+        const std::string text = description.substr(at, next - at);
+        if (const std::size_t equals = text.find('='); equals != std::string::npos)
+            out[text.substr(0, equals)] = text.substr(equals + 1);
+        at = next == std::string::npos ? next : next + 1;
+    }
+    return out;
+}
+
 Status saveLinearExr(const fs::path& path, const Image& image, const ImageMetadata& metadata) {
     ExrFile file{image.width, image.height, {{"R", {}}, {"G", {}}, {"B", {}}}, metadata};
     for (std::size_t c = 0; c < 3; ++c) {
@@ -217,7 +243,7 @@ Result<std::shared_ptr<const Image>> loadImage(const fs::path& path, ColorSpace 
                           fs::exists(path, ignored) ? "is not a file" : "there is no such file",
                           "check the path");
     try {
-        auto read = endingOf(path) == ".exr" ? readExr(path) : readByModule(path);
+        auto read = endingOf(path) == ".exr" ? readExr(path) : readByModule(path, Alpha::Drop);
         if (!read) return read.error();
         Filling picture = std::move(read).value();
         const bool encoded =
@@ -243,17 +269,66 @@ Status saveLinear(const fs::path& path, const Image& image, const ImageMetadata&
     GLINT_CHECK(isLinearFormat(path));
     if (endingOf(path) == ".exr") return saveLinearExr(path, image, metadata);
     const std::vector<GlintText> texts = textsOf(metadata);
-    return encodeByModule(
-        path, {image.width, image.height, image.rgb.data(), 1, texts.data(), texts.size()});
+    return encodeByModule(path, {image.width, image.height, 3, image.rgb.data(),
+                                 GlintSample::Float, texts.data(), texts.size()});
 }
 
-Status saveDisplay(const fs::path& path, int width, int height,
-                   const std::vector<unsigned char>& display, const ImageMetadata& metadata) {
+Status saveDisplay(const fs::path& path, const DisplayImage& display,
+                   const ImageMetadata& metadata) {
     GLINT_CHECK(!isLinearFormat(path));
-    GLINT_CHECK(display.size() ==
-                3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    GLINT_CHECK(display.codes.size() == static_cast<std::size_t>(display.channels) *
+                                            static_cast<std::size_t>(display.width) *
+                                            static_cast<std::size_t>(display.height));
     const std::vector<GlintText> texts = textsOf(metadata);
-    return encodeByModule(path, {width, height, display.data(), 0, texts.data(), texts.size()});
+    GlintPicture picture{display.width,        display.height,    display.channels,
+                         display.codes.data(), GlintSample::Word, texts.data(),
+                         texts.size()};
+    if (display.bits == 16) return encodeByModule(path, picture);
+    const std::vector<unsigned char> bytes(display.codes.begin(), display.codes.end());
+    picture.pixels = bytes.data();
+    picture.sample = GlintSample::Byte;
+    return encodeByModule(path, picture);
+}
+
+Result<RawImage> loadRaw(const fs::path& path) {
+    RawImage out;
+    if (endingOf(path) == ".exr") {
+        auto file = loadExr(path);
+        if (!file) return file.error();
+        out.width = file.value().width;
+        out.height = file.value().height;
+        out.metadata = file.value().metadata;
+        ExrFile content = std::move(file).value();
+        for (ExrChannel& channel : content.channels)
+            out.channels[channel.name] = std::move(channel.values);
+        return out;
+    }
+    const auto read = readByModule(path, Alpha::Keep);
+    if (!read) return read.error();
+    const Filling& filling = read.value();
+    out.width = filling.image.width;
+    out.height = filling.image.height;
+    out.metadata = metadataIn(filling.description);
+    for (std::size_t c = 0; c < filling.channels; ++c) {
+        std::vector<float>& values = out.channels[std::string(1, "RGBA"[c])];
+        values.reserve(filling.image.rgb.size() / filling.channels);
+        for (std::size_t i = c; i < filling.image.rgb.size(); i += filling.channels)
+            values.push_back(filling.image.rgb[i]);
+    }
+    return out;
+}
+
+std::vector<int> bitDepths(const fs::path& path) {
+    const std::string ending = endingOf(path);
+    if (ending == ".exr") return {32, 16};
+    if (ending == ".hdr") return {32};
+    if (ending.starts_with(".j")) return {8};
+    return isWritableFormat(path) ? std::vector<int>{8, 16} : std::vector<int>{};
+}
+
+bool holdsAlpha(const fs::path& path) {
+    const std::string ending = endingOf(path);
+    return isWritableFormat(path) && ending != ".hdr" && !ending.starts_with(".j");
 }
 
 bool isLinearFormat(const fs::path& path) {

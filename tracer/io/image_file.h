@@ -33,14 +33,35 @@ using ImageMetadata = std::map<std::string, std::string>;
 [[nodiscard]] Result<std::shared_ptr<const Image>> loadImage(const std::filesystem::path& path,
                                                              ColorSpace space = ColorSpace::Auto);
 
+/// A picture as a screen takes it, from the display transform.
+struct DisplayImage {
+    int width = 0, height = 0;
+    int channels = 3;  ///< 4: with alpha, by which the colours are not multiplied
+    int bits = 8;      ///< or 16
+    std::vector<std::uint16_t> codes;  ///< height x width x channels, row-major, top row first
+};
+
 /// Writes a picture by the ending of `path`, whole or not at all: .exr and .hdr linear, .png .jpg
-/// .tif as they are given in `display` (0..255, width x height x 3), which comes from the display
-/// transform.
+/// .tif for the screen.
 [[nodiscard]] Status saveLinear(const std::filesystem::path& path, const Image& image,
                                 const ImageMetadata& metadata);
-[[nodiscard]] Status saveDisplay(const std::filesystem::path& path, int width, int height,
-                                 const std::vector<unsigned char>& display,
+[[nodiscard]] Status saveDisplay(const std::filesystem::path& path, const DisplayImage& display,
                                  const ImageMetadata& metadata);
+
+/// A picture as it stands in its file, for comparing bits: every channel, nothing decoded.
+struct RawImage {
+    int width = 0, height = 0;
+    std::map<std::string, std::vector<float>> channels;  ///< by name; height x width each
+    ImageMetadata metadata;  ///< empty where the format holds none
+};
+/// Errors as for loadImage, which this differs from by what it leaves alone.
+[[nodiscard]] Result<RawImage> loadRaw(const std::filesystem::path& path);
+
+/// Bits a channel that a format can be written with, the usual choice first; for a name that is not
+/// writable: none.
+[[nodiscard]] std::vector<int> bitDepths(const std::filesystem::path& path);
+/// The format holds an alpha channel.
+[[nodiscard]] bool holdsAlpha(const std::filesystem::path& path);
 /// The ending names a format that holds linear light (.exr, .hdr).
 [[nodiscard]] bool isLinearFormat(const std::filesystem::path& path);
 /// The ending, in upper or lower case, is one of writableEndings().

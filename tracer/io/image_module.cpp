@@ -84,11 +84,13 @@ void readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, i
     if (!good) fail(input.geterror());
 }
 
-/// Spreads `count` grey values at the beginning of `out` over three channels, from the back.
-void spreadGrey(float* out, std::size_t count) {
+/// Spreads `count` pixels of grey (and alpha) at the beginning of `out` over colours, from the back.
+void spreadGrey(float* out, std::size_t count, std::size_t alpha) {
+    const std::size_t from = 1 + alpha, to = 3 + alpha;
     for (std::size_t i = count; i-- > 0;) {
-        const float grey = out[i];
-        std::fill_n(out + 3 * i, 3, grey);
+        const float grey = out[from * i], opacity = out[from * i + alpha];
+        std::fill_n(out + to * i, 3, grey);
+        if (alpha) out[to * i + 3] = opacity;
     }
 }
 
@@ -100,28 +102,43 @@ void readPicture(const char* path, const GlintPictureSink& sink) {
     const OIIO::ImageSpec spec = input->spec();
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
         throw std::runtime_error("it has no pixels");
-    if (!sink.begin(sink.context, spec.width, spec.height, spec.format.is_floating_point() ? 0 : 1))
+    const int alpha = sink.alpha && (spec.nchannels == 2 || spec.nchannels >= 4) ? 1 : 0;
+    if (!sink.begin(sink.context, spec.width, spec.height, 3 + alpha,
+                    spec.format.is_floating_point() ? 0 : 1))
         throw std::runtime_error("more than 1 Gpixel, or than the memory holds");
+    if (sink.describe) {
+        const std::string text = spec.get_string_attribute("ImageDescription");
+        if (!sink.describe(sink.context, text.c_str())) fail("not enough memory");
+    }
 
-    const int channels = spec.nchannels >= 3 ? 3 : 1;
+    const int channels = (spec.nchannels >= 3 ? 3 : 1) + alpha;
     const int step = spec.tile_width > 0 ? spec.tile_height : rowsAtATime(spec.width);
     for (int y = 0; y < spec.height; y += step) {
         const int count = std::min(step, spec.height - y);
         float* rows = sink.rows(sink.context, count);
         if (!rows) throw std::runtime_error("not enough memory");
         readRows(*input, spec, y, y + count, channels, rows);
-        if (channels == 1)
-            spreadGrey(rows,
-                       static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(count));
+        if (channels < 3)
+            spreadGrey(rows, static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(count),
+                       static_cast<std::size_t>(alpha));
     }
 }
 
+OIIO::TypeDesc typeOf(GlintSample sample) {
+    switch (sample) {
+        case GlintSample::Byte: return OIIO::TypeUInt8;
+        case GlintSample::Word: return OIIO::TypeUInt16;
+        case GlintSample::Float: break;
+    }
+    return OIIO::TypeFloat;
+}
+
 OIIO::ImageSpec specOf(const GlintPicture& picture, const std::string& ending) {
-    OIIO::ImageSpec spec(picture.width, picture.height, 3,
-                         picture.floats ? OIIO::TypeFloat : OIIO::TypeUInt8);
+    OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, typeOf(picture.sample));
+    if (picture.channels == 4) spec["oiio:UnassociatedAlpha"] = 1;
     // In TIFF it would become Exif data, whose writing spoils the file's directory
     // (OpenImageIO 2.4.7 in memory).
-    if (!ending.starts_with(".t")) spec["oiio:ColorSpace"] = picture.floats ? "Linear" : "sRGB";
+    if (!ending.starts_with(".t")) spec["oiio:ColorSpace"] = picture.sample == GlintSample::Float ? "Linear" : "sRGB";
     if (ending.starts_with(".j")) {
         spec["CompressionQuality"] = kJpegQuality;
         spec["jpeg:subsampling"] = "4:4:4";
@@ -143,7 +160,7 @@ void encodePicture(const char* ending, const GlintPicture& picture, const GlintB
     if (!output) fail(OIIO::geterror());
     MemoryFile memory;
     output->set_ioproxy(&memory);
-    const auto type = picture.floats ? OIIO::TypeFloat : OIIO::TypeUInt8;
+    const OIIO::TypeDesc type = typeOf(picture.sample);
     const bool good = output->open(name, specOf(picture, ending)) &&
                       output->write_image(type, picture.pixels) && output->close();
     if (!good) fail(output->geterror());

@@ -10,10 +10,15 @@ extern "C" {
 /// Takes a picture that is being read, top row first.
 struct GlintPictureSink {
     void* context;
-    /// Called first. `integers`: the file holds whole numbers. 0 refuses the picture.
-    int (*begin)(void* context, int width, int height, int integers);
-    /// Space for the next `count` rows of width x 3 floats, or null.
+    /// Also take the alpha channel, if there is one.
+    int alpha;
+    /// Called first. `channels`: 3, or 4 with alpha. `integers`: the file holds whole numbers. 0
+    /// refuses the picture.
+    int (*begin)(void* context, int width, int height, int channels, int integers);
+    /// Space for the next `count` rows of width x channels floats, or null.
     float* (*rows)(void* context, int count);
+    /// Takes the file's description, if there is one; may be null.
+    int (*describe)(void* context, const char* text);
 };
 
 struct GlintText {
@@ -21,11 +26,14 @@ struct GlintText {
     const char* value;
 };
 
-/// A picture to write: width x height x 3, row-major, top row first; floats or bytes.
+enum class GlintSample { Byte, Word, Float };
+
+/// A picture to write: width x height x channels (3, or 4 with unmultiplied alpha), row-major, top
+/// row first.
 struct GlintPicture {
-    int width, height;
+    int width, height, channels;
     const void* pixels;
-    int floats;
+    GlintSample sample;
     const GlintText* texts;
     std::size_t textCount;
 };
@@ -41,8 +49,8 @@ using GlintReadPicture = int(const char* path, const GlintPictureSink* sink, cha
 using GlintEncodePicture = int(const char* ending, const GlintPicture* picture,
                                const GlintByteSink* sink, char* error, std::size_t errorSize);
 
-/// Reads the first picture of a file. Grey becomes RGB, alpha is dropped without having been
-/// multiplied.
+/// Reads the first picture of a file. Grey becomes RGB, alpha is dropped (or kept, if asked for)
+/// without having been multiplied.
 GlintReadPicture glintReadPicture;
 /// Encodes as the format of a file name's ending (".png").
 GlintEncodePicture glintEncodePicture;

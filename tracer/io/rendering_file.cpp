@@ -1,5 +1,9 @@
 #include "tracer/io/rendering_file.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
 #include "tracer/color/display.h"
 #include "tracer/io/image_file.h"
 #include "tracer/io/scene_json.h"
@@ -8,31 +12,147 @@ namespace glint {
 
 namespace {
 
-/// 8-bit sRGB of a linear picture.
-std::vector<unsigned char> displayed(const Image& image, const Display& display) {
+std::string textOf(const PixelRect& r) {
+    return std::to_string(r.x) + "," + std::to_string(r.y) + "," + std::to_string(r.width) + "," + std::to_string(r.height);
+}
+
+std::optional<PixelRect> rectOf(const std::string& text) {
+    std::array<int, 4> out{};
+    const char *at = text.data(), *end = at + text.size();
+    for (int& value : out) {
+        const auto parsed = std::from_chars(at, end, value);
+        if (parsed.ec != std::errc{}) return std::nullopt;
+        at = parsed.ptr + (parsed.ptr != end ? 1 : 0);
+    }
+    return PixelRect{out[0], out[1], out[2], out[3]};
+}
+
+/// A picture for the screen, in 8 or 16 bits a channel; colours are divided by alpha if there is any.
+DisplayImage displayed(const Rendering& rendering, const Display& display, int bits) {
     const DisplayTransform transform({display.exposureEv, display.view});
-    std::vector<unsigned char> out(image.rgb.size());
-    for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3) {
-        const std::uint32_t argb = transform.apply({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]});
-        out[i] = static_cast<unsigned char>(argb >> 16U);
-        out[i + 1] = static_cast<unsigned char>(argb >> 8U);
-        out[i + 2] = static_cast<unsigned char>(argb);
+    const bool withAlpha = !rendering.alpha.empty();
+    DisplayImage out{rendering.beauty.width, rendering.beauty.height, withAlpha ? 4 : 3, bits, {}};
+    const std::vector<float>& rgb = rendering.beauty.rgb;
+    out.codes.reserve(rgb.size() / 3 * static_cast<std::size_t>(out.channels));
+    const float most = bits == 16 ? 65535 : 255;
+    for (std::size_t i = 0; 3 * i + 2 < rgb.size(); ++i) {
+        const float alpha = withAlpha ? rendering.alpha[i] : 1;
+        const Rgb color = Rgb(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]) / (alpha > 0 ? alpha : 1);
+        if (bits == 16) {
+            for (const std::uint16_t code : transform.apply16(color)) out.codes.push_back(code);
+        } else {
+            const std::uint32_t argb = transform.apply(color);
+            for (const unsigned shift : {16U, 8U, 0U}) out.codes.push_back(static_cast<std::uint16_t>(argb >> shift & 0xffU));
+        }
+        if (withAlpha) out.codes.push_back(static_cast<std::uint16_t>(std::lround(alpha * most)));
     }
     return out;
 }
 
+ExrFile linear(const Rendering& rendering, bool half) {
+    const Image& image = rendering.beauty;
+    ExrFile out{image.width, image.height, rendering.layers, {}, half};
+    if (out.channels.empty()) {
+        for (const char* name : {"R", "G", "B"}) out.channels.push_back({name, {}});
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t i = c; i < image.rgb.size(); i += 3) out.channels[c].values.push_back(image.rgb[i]);
+    }
+    if (!rendering.alpha.empty()) out.channels.push_back({"A", rendering.alpha});
+    return out;
+}
+
+ImageMetadata metadataFor(const Scene& scene, const Rendering& rendering, const PictureOptions& options, const std::string& features) {
+    ImageMetadata out = {{"glint:sceneHash", sceneHash(worldOf(scene))},
+                         {"glint:settings", pictureSettings(scene)},
+                         {"glint:seed", std::to_string(scene.render.seed)},
+                         {"glint:spp", std::to_string(rendering.spp)},
+                         {"glint:version", GLINT_VERSION},
+                         {"glint:features", features}};
+    if (options.bits != 0) out["glint:bits"] = std::to_string(options.bits);
+    if (options.crop) out["glint:crop"] = textOf(*options.crop);
+    if (options.layers) out["glint:layers"] = "yes";
+    if (options.transparent) out["glint:transparent"] = "yes";
+    if (!rendering.even) out["glint:uneven"] = "yes";
+    if (scene.render.clamp > 0) out["glint:biased"] = "clamp " + std::to_string(scene.render.clamp);
+    return out;
+}
+
+std::string endingOf(const std::filesystem::path& path) { return path.extension().string(); }
+
 }  // namespace
 
-Status saveRendering(const std::filesystem::path& path, const Scene& scene, const Rendering& rendering) {
-    ImageMetadata metadata = {{"glint:sceneHash", sceneHash(scene)},
-                                    {"glint:seed", std::to_string(scene.render.seed)},
-                                    {"glint:spp", std::to_string(rendering.spp)},
-                                    {"glint:version", GLINT_VERSION}};
-    if (scene.render.clamp > 0) metadata["glint:biased"] = "clamp " + std::to_string(scene.render.clamp);
-    const Image& image = rendering.beauty;
-    if (!rendering.layers.empty()) return saveExr(path, {image.width, image.height, rendering.layers, metadata});
-    if (isLinearFormat(path)) return saveLinear(path, image, metadata);
-    return saveDisplay(path, image.width, image.height, displayed(image, scene.display), metadata);
+Status checkPicture(const std::filesystem::path& path, const PictureOptions& options) {
+    const auto fail = [&](std::string message, std::string remedy) { return Error{.message = std::move(message), .file = path.string(), .remedy = std::move(remedy)}; };
+    if (!isWritableFormat(path)) {
+        std::string endings;
+        for (const std::string& ending : writableEndings()) endings += " " + ending;
+        return fail("has an ending that cannot be written", "use one of" + endings);
+    }
+    if (options.layers && (!isLinearFormat(path) || !holdsAlpha(path))) return fail("cannot hold layers", "write a .exr");
+    if (options.transparent && !holdsAlpha(path)) return fail("cannot be transparent", "write a .png, .tif or .exr");
+    const std::vector<int> depths = bitDepths(path);
+    if (options.bits == 0 || std::find(depths.begin(), depths.end(), options.bits) != depths.end()) return Done{};
+    std::string possible;
+    for (const int bits : depths) possible += (possible.empty() ? "" : " or ") + std::to_string(bits);
+    return fail(endingOf(path) + " has no " + std::to_string(options.bits) + " bits a channel", "use " + possible);
+}
+
+Scene sceneFor(Scene scene, const PictureOptions& options) {
+    if (options.transparent) scene.environment.visibleToCamera = false;
+    return scene;
+}
+
+RenderRequest requestFor(const PictureOptions& options) {
+    RenderRequest out;
+    out.crop = options.crop;
+    out.layers = options.layers;
+    out.alpha = options.transparent;
+    return out;
+}
+
+Status saveRendering(const std::filesystem::path& path, const Scene& scene, const Rendering& rendering, const PictureOptions& options,
+                     const std::string& features) {
+    if (Status good = checkPicture(path, options); !good) return good;
+    const ImageMetadata metadata = metadataFor(scene, rendering, options, features);
+    const int bits = options.bits ? options.bits : bitDepths(path).front();
+    if (!isLinearFormat(path)) return saveDisplay(path, displayed(rendering, scene.display, bits), metadata);
+    if (!holdsAlpha(path)) return saveLinear(path, rendering.beauty, metadata);
+    ExrFile file = linear(rendering, bits == 16);
+    file.metadata = metadata;
+    return saveExr(path, file);
+}
+
+Result<PictureRecipe> recipeOf(const ImageMetadata& metadata, const std::filesystem::path& picture) {
+    const auto text = [&](const char* key) {
+        const auto found = metadata.find(std::string("glint:") + key);
+        return found == metadata.end() ? std::string() : found->second;
+    };
+    const auto number = [&](const char* key) {
+        const std::string digits = text(key);
+        int out = 0;
+        std::from_chars(digits.data(), digits.data() + digits.size(), out);
+        return out;
+    };
+    PictureRecipe out{text("sceneHash"), text("settings"), text("version"), text("features"), number("spp"), {}, text("uneven").empty()};
+    if (out.sceneHash.empty() || out.settings.empty() || out.spp < 1)
+        return Error{.message = "does not say how it was made", .file = picture.string(), .remedy = "it must be a .exr, .png, .tif or .jpg that Glint wrote"};
+    out.options.bits = number("bits");
+    out.options.transparent = !text("transparent").empty();
+    out.options.layers = !text("layers").empty();
+    if (const std::string crop = text("crop"); !crop.empty()) out.options.crop = rectOf(crop);
+    return out;
+}
+
+Scene worldOf(Scene scene) {
+    scene.camera = {};
+    scene.activeCamera = {};
+    for (const CameraId id : scene.cameras.ids()) scene.cameras.erase(id);
+    scene.views.clear();
+    scene.film = {};
+    scene.display = {};
+    scene.render = {};
+    scene.editor.clear();
+    return scene;
 }
 
 }  // namespace glint

@@ -27,6 +27,17 @@ class Transplant {
         return to_.objects.add(std::move(copy));
     }
 
+    LightId light(LightId id) {
+        Light copy = from_.lights.at(id);
+        copy.name = freeLightName(to_, copy.name);
+        return to_.lights.add(std::move(copy));
+    }
+    CameraId camera(CameraId id) {
+        Camera copy = from_.cameras.at(id);
+        copy.name = freeCameraName(to_, copy.name);
+        return to_.cameras.add(std::move(copy));
+    }
+
     [[nodiscard]] Scene take() { return std::move(to_); }
 
   private:
@@ -105,9 +116,13 @@ class Transplant {
 
 }  // namespace
 
-std::string formatObjects(const Scene& scene, const std::vector<ObjectId>& objects) {
+std::string formatObjects(const Scene& scene, const std::vector<ObjectId>& objects,
+                          const std::vector<LightId>& lights,
+                          const std::vector<CameraId>& cameras) {
     Transplant copy(scene, Scene{});
     for (const ObjectId id : objects) copy.object(id);
+    for (const LightId id : lights) copy.light(id);
+    for (const CameraId id : cameras) copy.camera(id);
     return formatScene(copy.take());
 }
 
@@ -117,6 +132,8 @@ Result<PastedObjects> pasteObjects(const Scene& scene, std::string_view text) {
     Transplant copy(pasted.value(), scene);
     PastedObjects out;
     for (const ObjectId id : pasted.value().objects.ids()) out.added.push_back(copy.object(id));
+    for (const LightId id : pasted.value().lights.ids()) out.lights.push_back(copy.light(id));
+    for (const CameraId id : pasted.value().cameras.ids()) out.cameras.push_back(copy.camera(id));
     out.scene = copy.take();
     return out;
 }

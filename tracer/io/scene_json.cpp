@@ -164,6 +164,28 @@ std::string sceneHash(const Scene& scene) {
     return digits.data();
 }
 
+std::string pictureSettings(const Scene& scene) {
+    Scene out;
+    out.camera = scene.viewCamera();
+    out.camera.name.clear();
+    out.film = scene.film;
+    out.display = scene.display;
+    out.render = scene.render;
+    return formatJsonLine(sceneJson(out, Defaults::LeftOut));
+}
+
+Result<Scene> withPictureSettings(Scene scene, std::string_view settings) {
+    auto parsed = parseScene(settings, "the picture's settings");
+    if (!parsed) return parsed.error();
+    const Scene from = std::move(parsed).value();
+    scene.camera = from.camera;
+    scene.activeCamera = {};
+    scene.film = from.film;
+    scene.display = from.display;
+    scene.render = from.render;
+    return scene;
+}
+
 Result<Scene> withSetting(const Scene& scene, std::string_view pointer, std::string_view value) {
     return guarded<Scene>("", [&]() -> Result<Scene> {
         Json root = sceneJson(scene, Defaults::Written);

@@ -42,6 +42,12 @@ struct PartialScene {
 /// shows.
 [[nodiscard]] std::string sceneHash(const Scene& scene);
 
+/// How a picture of the scene is taken: view camera, film, display and render, as a scene file on
+/// one line without anything else.
+[[nodiscard]] std::string pictureSettings(const Scene& scene);
+/// The scene with such settings in the place of its own.
+[[nodiscard]] Result<Scene> withPictureSettings(Scene scene, std::string_view settings);
+
 /// The scene with the value at a JSON pointer replaced, as for `--set /render/spp=64`. Within lists
 /// of named things an index or the name may stand: /objects/Ball/shape/radius. `value` is JSON, or
 /// else taken as a string. Ids are given anew.
@@ -49,14 +55,18 @@ struct PartialScene {
                                         std::string_view value);
 
 /// JSON text of single things, for the clipboard and the like: a small scene file with the objects
-/// and what they refer to (materials, textures, groups).
-[[nodiscard]] std::string formatObjects(const Scene& scene, const std::vector<ObjectId>& objects);
-/// The scene with such a text's things added under free names; also gives the new objects. A
+/// and what they refer to (materials, textures, groups), lights and cameras.
+[[nodiscard]] std::string formatObjects(const Scene& scene, const std::vector<ObjectId>& objects,
+                                        const std::vector<LightId>& lights = {},
+                                        const std::vector<CameraId>& cameras = {});
+/// The scene with such a text's things added under free names; also gives what is new. A
 /// material, texture or group that the scene has already, with the same name and content, is used
 /// again. The text's other sections are not used.
 struct PastedObjects {
     Scene scene;
     std::vector<ObjectId> added;
+    std::vector<LightId> lights;
+    std::vector<CameraId> cameras;
 };
 [[nodiscard]] Result<PastedObjects> pasteObjects(const Scene& scene, std::string_view text);
 

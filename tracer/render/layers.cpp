@@ -41,11 +41,17 @@ void describeSurface(const RenderScene& scene, const SurfacePoint& point, LayerS
     out.material = instance.material + 1;
 }
 
-LayerFilm::LayerFilm(int width, int height)
-    : width_(width), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+LayerFilm::LayerFilm(int width, int height, Content content)
+    : width_(width), cover_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+    if (content == Content::All) pixels_.resize(cover_.size());
+}
 
 void LayerFilm::add(int x, int y, const LayerSample& sample) {
-    Pixel& pixel = pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    const std::size_t index = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    ++cover_[index].samples;
+    if (sample.object != 0) ++cover_[index].hits;
+    if (pixels_.empty()) return;
+    Pixel& pixel = pixels_[index];
     const auto addTo = [&](std::size_t layer, const Vec3& value) {
         for (int c = 0; c < 3; ++c) pixel.sums[3 * layer + static_cast<std::size_t>(c)] += static_cast<double>(value[c]);
     };
@@ -57,6 +63,13 @@ void LayerFilm::add(int x, int y, const LayerSample& sample) {
     pixel.position = sample.position;
     pixel.object = sample.object;
     pixel.material = sample.material;
+}
+
+std::vector<float> LayerFilm::coverage() const {
+    std::vector<float> out;
+    out.reserve(cover_.size());
+    for (const Cover& c : cover_) out.push_back(c.samples ? static_cast<float>(c.hits) / static_cast<float>(c.samples) : 0.0f);
+    return out;
 }
 
 void LayerFilm::appendTo(std::vector<ExrChannel>& channels, bool withLight) const {

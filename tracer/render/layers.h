@@ -83,12 +83,16 @@ void describeSurface(const RenderScene& scene, const SurfacePoint& point, LayerS
 /// The layers of a whole film: means of light, albedo and normal; the rest from each pixel's first sample.
 class LayerFilm {
   public:
-    LayerFilm(int width, int height);
+    /// All layers, or only which share of each pixel's samples met an object.
+    enum class Content { All, Coverage };
+    LayerFilm(int width, int height, Content content = Content::All);
 
     void add(int x, int y, const LayerSample& sample);
     /// EXR channels by layer: diffuse_direct.R ... environment.B, albedo.R, normal.X, depth.Z, position.X, object_id.id,
     /// material_id.id; the light layers only if `withLight`.
     void appendTo(std::vector<ExrChannel>& channels, bool withLight) const;
+    /// height x width, row-major: 0 where every sample went past all objects, to 1.
+    [[nodiscard]] std::vector<float> coverage() const;
 
   private:
     static constexpr std::size_t kMeans = 3 * (kLightLayers + 2);
@@ -98,8 +102,12 @@ class LayerFilm {
         Vec3 position{0.0f};
         std::uint32_t object = 0, material = 0, samples = 0;
     };
+    struct Cover {
+        std::uint32_t hits = 0, samples = 0;
+    };
     int width_;
-    std::vector<Pixel> pixels_;
+    std::vector<Pixel> pixels_;  ///< empty if only coverage is kept
+    std::vector<Cover> cover_;
 };
 
 /// The picture's own channels R, G, B, the number of samples and the standard error of the mean's luminance, the latter from

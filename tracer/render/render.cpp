@@ -22,7 +22,8 @@ class HeadlessRender {
           request_(request),
           pool_(request.threads > 0 ? request.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
           film_(scene.film.width, scene.film.height) {
-        if (request.layers) layers_.emplace(scene.film.width, scene.film.height);
+        if (request.layers || request.alpha)
+            layers_.emplace(scene.film.width, scene.film.height, request.layers ? LayerFilm::Content::All : LayerFilm::Content::Coverage);
     }
 
     Rendering run() {
@@ -36,8 +37,9 @@ class HeadlessRender {
         const PixelRect rect = request_.crop.value_or(all);
         const int target = scene_.settings.spp;
         int done = 0;
-        bool complete = true;
-        while (complete && done < target && !timeIsUp() && !meetsErrorRule(error_, done, scene_.settings.errorPercent)) {
+        bool complete = true, stopped = false;
+        while (complete && done < target && anotherSampleFits(done) && !meetsErrorRule(error_, done, scene_.settings.errorPercent)) {
+            if ((stopped = !waitWhilePaused())) break;
             const int next = std::min(target, nextCount(done));
             complete = scheduler.renderPass(scene_, film_, layers_ ? &*layers_ : nullptr, rect, 1, static_cast<std::uint32_t>(next), {&epoch_, 0}, counts_);
             if (complete) done = next;
@@ -45,12 +47,28 @@ class HeadlessRender {
             error_ = pictureError(film_, rect);
             report(done, target);
         }
-        return finish(done, !complete && !timeIsUp());
+        return finish(done, complete, stopped || (!complete && !timeIsUp()));
     }
 
   private:
-    [[nodiscard]] bool timeIsUp() const {
-        return scene_.settings.timeSeconds > 0 && secondsSince(start_) >= scene_.settings.timeSeconds;
+    /// Seconds spent on the picture, pauses left out.
+    [[nodiscard]] double elapsed() const { return secondsSince(start_) - paused_.load(std::memory_order_relaxed); }
+    [[nodiscard]] bool timeIsUp() const { return scene_.settings.timeSeconds > 0 && elapsed() >= scene_.settings.timeSeconds; }
+    [[nodiscard]] bool stopAsked() const { return request_.stop && request_.stop->load(std::memory_order_relaxed); }
+
+    /// One more sample a pixel would end in time: a pass that is cut short leaves pixels uneven.
+    [[nodiscard]] bool anotherSampleFits(int done) const {
+        return scene_.settings.timeSeconds <= 0 || done == 0 || elapsed() * (done + 1) / done <= scene_.settings.timeSeconds;
+    }
+
+    /// False if the caller wants an end rather than the next pass.
+    [[nodiscard]] bool waitWhilePaused() {
+        while (request_.pause && request_.pause->load(std::memory_order_relaxed) && !stopAsked()) {
+            const Clock::time_point from = Clock::now();
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            paused_.fetch_add(secondsSince(from), std::memory_order_relaxed);
+        }
+        return !stopAsked();
     }
 
     [[nodiscard]] Features wantedFeatures() const {
@@ -65,8 +83,7 @@ class HeadlessRender {
     /// Raises the epoch when the caller asks to stop or the time is up.
     void watch(const std::stop_token& end) {
         while (!end.stop_requested()) {
-            const bool asked = request_.stop && request_.stop->load(std::memory_order_relaxed);
-            if (asked || (timeIsUp() && everyPixelHasASample_.load(std::memory_order_relaxed)))
+            if (stopAsked() || (timeIsUp() && everyPixelHasASample_.load(std::memory_order_relaxed)))
                 epoch_.store(1, std::memory_order_relaxed);
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
@@ -75,17 +92,17 @@ class HeadlessRender {
     /// Passes grow from one sample, so that there is something to show early, to about half a second of work.
     [[nodiscard]] int nextCount(int done) const {
         if (done == 0) return 1;
-        const double perSample = secondsSince(start_) / done;
+        const double perSample = elapsed() / done;
         double budget = 0.5;
         if (scene_.settings.timeSeconds > 0)
-            budget = std::min(budget, std::max(0.0, (scene_.settings.timeSeconds - secondsSince(start_)) * 0.5));
+            budget = std::min(budget, std::max(0.0, (scene_.settings.timeSeconds - elapsed()) * 0.5));
         const int byTime = static_cast<int>(std::min(1e6, budget / perSample));
         return done + std::clamp(byTime, 1, std::max(1, done));
     }
 
     void report(int done, int target) const {
         if (!request_.progress) return;
-        const double seconds = secondsSince(start_);
+        const double seconds = elapsed();
         double fraction = static_cast<double>(done) / target;
         if (scene_.settings.timeSeconds > 0) fraction = std::max(fraction, seconds / scene_.settings.timeSeconds);
         // The error falls with the root of the time, at least.
@@ -94,16 +111,18 @@ class HeadlessRender {
         request_.progress({done, target, seconds, fraction > 0 ? seconds / fraction - seconds : 0, fraction, error_});
     }
 
-    Rendering finish(int done, bool interrupted) {
+    Rendering finish(int done, bool complete, bool interrupted) {
         Rendering out;
         out.beauty = film_.image();
-        if (layers_) {
+        if (request_.alpha) out.alpha = layers_->coverage();
+        if (request_.layers) {
             appendFilm(film_, out.layers);
             layers_->appendTo(out.layers, scene_.settings.integrator == Integrator::Path);
         }
         out.spp = done;
+        out.even = complete;
         out.threads = pool_.threads();
-        out.seconds = secondsSince(start_);
+        out.seconds = elapsed();
         out.error = error_;
         out.rays = counts_.rays;
         out.work = counts_.work;
@@ -122,6 +141,7 @@ class HeadlessRender {
     std::optional<LayerFilm> layers_;
     RenderCounts counts_;
     double error_ = kInfinity;
+    std::atomic<double> paused_{0};  ///< seconds; counted by run(), read by watch(), relaxed
     std::atomic<std::uint64_t> epoch_{0};  ///< moved by watch(); partner: the workers' CancelToken, relaxed
     std::atomic<bool> everyPixelHasASample_{false};  ///< partner: watch(), relaxed
 };

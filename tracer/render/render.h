@@ -56,15 +56,19 @@ struct RenderRequest {
     int threads = 0;                  ///< 0: as many as the machine has processors
     std::optional<PixelRect> crop;    ///< in film pixels
     const std::atomic<bool>* stop = nullptr;  ///< set it to end at the next path vertex; what is there is kept
+    const std::atomic<bool>* pause = nullptr;  ///< while it is set no pass is begun; the time does not count
     bool layers = false;              ///< fill Rendering::layers; costs time and some 300 bytes a pixel
     KernelChoice kernel = KernelChoice::Smallest;
+    bool alpha = false;               ///< fill Rendering::alpha
     std::function<void(const RenderProgress&)> progress;  ///< called a few times a second on the calling thread
 };
 
 struct Rendering {
     Image beauty;  ///< film size, mean of the samples
     std::vector<ExrChannel> layers;  ///< if asked for: the channels of a multi-layer EXR, see layers.h
+    std::vector<float> alpha;        ///< if asked for: share of each pixel's samples that met an object, row-major
     int spp = 0;   ///< samples that every pixel has
+    bool even = true;  ///< no pixel has more than that: the picture can be made again from its number
     int threads = 0;
     double seconds = 0;
     double error = 0;  ///< of the picture, see pictureError()
