@@ -73,8 +73,14 @@ void EditController::duplicate() {
 
 void EditController::copy() {
     const auto objects = objectsWithin(document_.scene(), selection_.items());
-    if (objects.empty()) return;
-    QGuiApplication::clipboard()->setText(toQString(formatObjects(document_.scene(), objects)));
+    std::vector<LightId> lights;
+    std::vector<CameraId> cameras;
+    for (const Item item : selection_.items()) {
+        if (item.kind == ItemKind::Light) lights.push_back(LightId{item.id});
+        if (item.kind == ItemKind::Camera && item.id != 0) cameras.push_back(CameraId{item.id});
+    }
+    if (objects.empty() && lights.empty() && cameras.empty()) return;
+    QGuiApplication::clipboard()->setText(toQString(formatObjects(document_.scene(), objects, lights, cameras)));
 }
 
 void EditController::cut() {
@@ -90,7 +96,12 @@ void EditController::paste() {
     }
     PastedObjects result = std::move(pasted).value();
     std::vector<Item> items;
-    for (const ObjectId id : result.added) items.push_back(Item::of(id));
+    const auto note = [&](const auto& ids) {
+        for (const auto id : ids) items.push_back(Item::of(id));
+    };
+    note(result.added);
+    note(result.lights);
+    note(result.cameras);
     document_.edit(std::move(result.scene), tr("Paste"));
     selection_.set(std::move(items));
 }
@@ -148,10 +159,15 @@ void EditController::changeExposure(double stops) {
 }
 
 void EditController::lookThroughSelectedCamera() {
-    Scene scene = document_.committed();
-    scene.activeCamera = {};
+    CameraId camera;
     for (const Item item : selection_.items())
-        if (item.kind == ItemKind::Camera) scene.activeCamera = CameraId{item.id};
+        if (item.kind == ItemKind::Camera) camera = CameraId{item.id};
+    lookThrough(camera);
+}
+
+void EditController::lookThrough(CameraId camera) {
+    Scene scene = document_.committed();
+    scene.activeCamera = camera;
     document_.edit(std::move(scene), tr("Look through camera"));
 }
 

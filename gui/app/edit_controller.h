@@ -37,6 +37,8 @@ class EditController : public QObject {
     /// Changes the exposure by so many stops.
     void changeExposure(double stops);
     void lookThroughSelectedCamera();
+    /// Makes one of `cameras` the active one; none: the scene's own.
+    void lookThrough(CameraId camera);
 
     /// Fills a menu with every shape and light; new things stand where `placeAt` says, in the view's pixels.
     void fillAddMenu(QMenu* menu, std::function<QPointF()> placeAt);

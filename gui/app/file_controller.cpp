@@ -138,13 +138,14 @@ void FileController::load(const std::filesystem::path& file) {
 bool FileController::saveTo(const std::filesystem::path& file) {
     Scene scene = document_.committed();
     if (file != document_.file()) scene = withAssetsFrom(std::move(scene), document_.assetFolder(), file);
-    const Status saved = saveScene(scene, file);
-    if (!saved.ok()) {
-        messages_.show(MessageBar::Level::Error, tr("Not saved: %1").arg(toQString(saved.error())), {},
+    const Status status = saveScene(scene, file);
+    if (!status.ok()) {
+        messages_.show(MessageBar::Level::Error, tr("Not saved: %1").arg(toQString(status.error())), {},
                        {{tr("Save elsewhere…"), [this] { saveAs(); }}});
         return false;
     }
     document_.setSaved(file, std::move(scene));
+    emit saved();
     remember(file);
     return true;
 }

@@ -38,6 +38,8 @@ class FileController : public QObject {
 
   signals:
     void recentChanged();
+    /// The document now stands in its file.
+    void saved();
 
   private:
     void saveThen(std::function<void()> then);

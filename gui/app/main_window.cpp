@@ -7,6 +7,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QFileInfo>
 #include <QListView>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -14,16 +15,19 @@
 #include <QSettings>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <QStandardPaths>
 #include <QStatusBar>
 #include <QUndoView>
 #include <QVBoxLayout>
 
 #include "gui/app/actions.h"
+#include "gui/app/autosave.h"
 #include "gui/app/command_search.h"
 #include "gui/app/edit_controller.h"
 #include "gui/app/export_dialog.h"
 #include "gui/app/export_queue.h"
 #include "gui/app/file_controller.h"
+#include "gui/app/file_watch.h"
 #include "gui/app/material_previews.h"
 #include "gui/app/message_log.h"
 #include "gui/app/preferences_dialog.h"
@@ -36,6 +40,7 @@
 #include "gui/app/theme.h"
 #include "gui/app/tool_bar.h"
 #include "gui/panels/environment_picker.h"
+#include "gui/panels/export_panel.h"
 #include "gui/panels/material_panel.h"
 #include "gui/panels/object_list.h"
 #include "gui/panels/property_panel.h"
@@ -52,11 +57,19 @@
 
 namespace glint {
 
+namespace {
+
+/// How long a passing notice stands in the status line.
+constexpr int kNoticeMs = 4000;
+
+}  // namespace
+
 MainWindow::MainWindow(Memory memory, QWidget* parent)
     : QMainWindow(parent), memory_(memory), preferences_(memory), selection_(document_) {
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     document_.replace(starterScene(), {});
+    autosave_ = std::make_unique<Autosave>(document_);
     renderer_ = new Renderer(document_, this);
     buildCenter();
     viewCommands_ = new ViewCommands(*view_, this);
@@ -69,6 +82,7 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
     new MaterialDrop(*view_);
     connect(&document_, &Document::replaced, this, &MainWindow::hideStartPage);
     connectSavedViews();
+    connectDisk();
     connect(&document_, &Document::titleChanged, this, &MainWindow::updateTitle);
     connect(&preferences_, &Preferences::changed, this, &MainWindow::applyPreferences);
     applyTheme(preferences_.values().theme);
@@ -79,6 +93,8 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
     QSettings settings;
     restoreGeometry(settings.value("geometry").toByteArray());
     restoreState(settings.value("layout").toByteArray());
+    autosave_->begin(toPath(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)) / "recovery");
+    offerRecovery();
 }
 
 void MainWindow::buildInterface() {
@@ -118,10 +134,12 @@ MainWindow::~MainWindow() {
 void MainWindow::buildCenter() {
     auto* center = new QWidget(this);
     messages_ = new MessageBar(center);
+    recoveryBar_ = new MessageBar(center);
     view_ = new RenderView(document_, selection_, *renderer_, center);
     auto* layout = new QVBoxLayout(center);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(recoveryBar_);
     layout->addWidget(messages_);
     pages_ = new QStackedWidget(center);
     pages_->addWidget(view_);
@@ -154,6 +172,7 @@ void MainWindow::buildDocks() {
     QDockWidget* environment = addDock("environment", tr("Environment"), environment_, Qt::LeftDockWidgetArea);
     QDockWidget* properties = addDock("properties", tr("Properties"), properties_, Qt::RightDockWidgetArea);
     QDockWidget* render = addDock("render", tr("Render"), new RenderPanel(document_, this), Qt::RightDockWidgetArea);
+    QDockWidget* exports = addDock("exports", tr("Exports"), new ExportPanel(*exports_, this), Qt::RightDockWidgetArea);
     QDockWidget* steps = addDock("history", tr("History"), history, Qt::RightDockWidgetArea);
     auto* lines = new QListView(this);
     lines->setModel(log_);
@@ -165,14 +184,17 @@ void MainWindow::buildDocks() {
     materials->raise();
     tabifyDockWidget(properties, render);
     tabifyDockWidget(render, steps);
-    tabifyDockWidget(steps, statistics);
+    tabifyDockWidget(steps, exports);
+    tabifyDockWidget(exports, statistics);
     tabifyDockWidget(statistics, log);
-    // Seldom wanted, and five tabs would cut each other's names: the Window menu shows them.
+    // Seldom wanted, and six tabs would cut each other's names: the Window menu shows them, and an export its own.
+    exports->hide();
     statistics->hide();
     log->hide();
     properties->raise();
     const int unit = fontMetrics().averageCharWidth();
-    resizeDocks({objects, properties}, {unit * 40, unit * 46}, Qt::Horizontal);
+    // Wide enough for any form: a panel that grew with the selection would shrink the picture and start it anew.
+    resizeDocks({objects, properties}, {unit * 40, unit * 58}, Qt::Horizontal);
     resizeDocks({objects, materials}, {360, 380}, Qt::Vertical);
 }
 
@@ -196,9 +218,14 @@ void MainWindow::buildMenus() {
     addMenu_ = menuBar()->addMenu(tr("&Add"));
     edits_->fillAddMenu(addMenu_, [this] { return addAt_.isNull() ? QRectF(view_->rect()).center() : addAt_; });
     objects_->setAddMenu(addMenu_);
-    menu(tr("&View"), {"tool.select", "tool.move", "tool.rotate", "tool.scale", "tool.snap", "-", "view.frameSelected", "view.frameAll", "-",
+    QMenu* viewMenu = menu(tr("&View"), {"tool.select", "tool.move", "tool.rotate", "tool.scale", "tool.snap", "-", "view.frameSelected", "view.frameAll", "-",
                        "view.front", "view.behind", "view.right", "view.left", "view.top", "view.bottom", "-", "view.projection",
                        "view.camera", "-", "view.previous", "view.next", "-", "view.overlay", "view.grid", "-", "view.darker", "view.brighter"});
+    QMenu* cameras = viewMenu->addMenu((*actions_)["view.camera"]->icon(), tr("Ca&meras"));
+    cameras->setObjectName("cameras");
+    connect(cameras, &QMenu::aboutToShow, this, [this, cameras] { fillCameraMenu(cameras); });
+    QMenu* saved = viewMenu->addMenu(tr("Sa&ved views"));
+    connect(saved, &QMenu::aboutToShow, this, [this, saved] { fillSavedViewMenu(saved); });
     menu(tr("&Render"), {"render.pause", "render.copy", "-", "file.export"});
     QMenu* window = menuBar()->addMenu(tr("&Window"));
     for (QDockWidget* dock : findChildren<QDockWidget*>()) window->addAction(dock->toggleViewAction());
@@ -207,7 +234,7 @@ void MainWindow::buildMenus() {
 
     contextMenu_ = new QMenu(this);
     contextMenu_->addMenu(addMenu_);
-    actions_->fill(contextMenu_, {"-", "edit.duplicate", "edit.delete", "edit.rename", "-", "edit.hide", "edit.showAll", "edit.group", "edit.ungroup",
+    actions_->fill(contextMenu_, {"-", "edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete", "edit.rename", "-", "edit.hide", "edit.showAll", "edit.group", "edit.ungroup",
                                   "-", "view.frameSelected", "view.frameAll"});
 }
 
@@ -218,6 +245,34 @@ void MainWindow::fillRecentMenu(QMenu* menu) {
     for (const QString& file : files_->recent())
         connect(menu->addAction(file), &QAction::triggered, this, [this, file] { files_->open(toPath(file)); });
     if (menu->isEmpty()) menu->addAction(tr("None"))->setEnabled(false);
+}
+
+void MainWindow::fillCameraMenu(QMenu* menu) {
+    menu->clear();
+    const Scene& scene = document_.scene();
+    const auto add = [&](CameraId id, const QString& name) {
+        QAction* action = menu->addAction(name);
+        action->setCheckable(true);
+        action->setChecked(scene.activeCamera == id);
+        connect(action, &QAction::triggered, this, [this, id] { edits_->lookThrough(id); });
+    };
+    add({}, tr("Camera"));
+    scene.cameras.forEach([&](CameraId id, const Camera& camera) { add(id, toQString(camera.name)); });
+}
+
+void MainWindow::fillSavedViewMenu(QMenu* menu) {
+    menu->clear();
+    const auto count = static_cast<int>(document_.scene().views.size());
+    constexpr int kMostViews = 9;
+    for (int number = 1; number <= count; ++number) {
+        QAction* go = menu->addAction(tr("Go to view %1").arg(number) + QStringLiteral("\tCtrl+%1").arg(number));
+        connect(go, &QAction::triggered, this, [this, number] { viewCommands_->goToSavedView(number); });
+    }
+    if (count > 0) menu->addSeparator();
+    for (int number = 1; number <= std::min(count + 1, kMostViews); ++number) {
+        QAction* store = menu->addAction(tr("Store as view %1").arg(number) + QStringLiteral("\tCtrl+Shift+%1").arg(number));
+        connect(store, &QAction::triggered, this, [this, number] { viewCommands_->storeView(number); });
+    }
 }
 
 void MainWindow::connectFileActions() {
@@ -271,7 +326,8 @@ void MainWindow::connectEditActions() {
     connect(stack, &QUndoStack::undoTextChanged, actions_, update);
     update();
     actions_->on("edit.cut", edits_, &EditController::cut);
-    actions_->on("edit.copy", edits_, &EditController::copy);
+    // With nothing selected it is the picture that is looked at, and copied.
+    actions_->on("edit.copy", this, [this] { selection_.isEmpty() ? (*actions_)["render.copy"]->trigger() : edits_->copy(); });
     actions_->on("edit.paste", edits_, &EditController::paste);
     actions_->on("edit.duplicate", edits_, &EditController::duplicate);
     actions_->on("edit.delete", edits_, &EditController::remove);
@@ -363,6 +419,42 @@ void MainWindow::connectState() {
     showPaused(renderer_->isPaused());
 }
 
+void MainWindow::connectDisk() {
+    fileWatch_ = new FileWatch(document_, this);
+    connect(files_, &FileController::saved, fileWatch_, &FileWatch::noteSceneFile);
+    connect(fileWatch_, &FileWatch::assetsChanged, this, [this](const QStringList& changed) {
+        renderer_->reload();
+        statusBar()->showMessage(tr("Reloaded %1").arg(QFileInfo(changed.first()).fileName()), kNoticeMs);
+    });
+    connect(fileWatch_, &FileWatch::sceneFileChanged, this, [this] {
+        messages_->show(MessageBar::Level::Info, tr("%1 was changed by another program").arg(document_.title()), {},
+                        {{tr("Reload"), [this] { files_->open(document_.file()); }}});
+    });
+    connect(autosave_.get(), &Autosave::failed, this, [this](const QString& reason) {
+        messages_->show(MessageBar::Level::Warning, tr("Unsaved work cannot be kept safe: %1").arg(reason));
+    });
+}
+
+void MainWindow::offerRecovery() {
+    const auto leftovers = autosave_->leftovers();
+    if (leftovers.empty()) return;
+    const Autosave::Leftover found = leftovers.front();
+    const QString name = found.original.empty() ? tr("an untitled scene") : pathText(found.original.filename());
+    const auto recover = [this, found] {
+        files_->whenSafe([this, found] {
+            if (const Status status = autosave_->recover(found); !status)
+                messages_->show(MessageBar::Level::Error, tr("Not recovered: %1").arg(toQString(status.error())));
+        });
+    };
+    const auto discard = [this, found] {
+        Autosave::discard(found);
+        offerRecovery();
+    };
+    recoveryBar_->show(MessageBar::Level::Warning,
+                       tr("Glint ended with unsaved changes to %1, kept at %2.").arg(name, QLocale().toString(found.time, QLocale::ShortFormat)),
+                       pathText(found.copy), {{tr("Recover"), recover}, {tr("Discard"), discard}});
+}
+
 void MainWindow::updateTitle() {
     setWindowTitle(QStringLiteral("%1%2 — Glint").arg(document_.title(), document_.isModified() ? QStringLiteral(" *") : QString()));
 }
@@ -382,7 +474,12 @@ void MainWindow::openAddMenu() {
 
 void MainWindow::openExport() {
     auto* dialog = new ExportDialog(document_, this);
-    connect(dialog, &ExportDialog::requested, exports_, &ExportQueue::add);
+    connect(dialog, &ExportDialog::requested, this, [this](const ExportRequest& request) {
+        exports_->add(request);
+        auto* dock = findChild<QDockWidget*>("exports");
+        dock->show();
+        dock->raise();
+    });
     dialog->show();
 }
 
@@ -452,6 +549,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     exports_->cancelAll();
+    autosave_->end();
     if (memory_ == Memory::Settings) {
         QSettings settings;
         settings.setValue("geometry", saveGeometry());

@@ -4,6 +4,7 @@
 
 #include <QMainWindow>
 #include <filesystem>
+#include <memory>
 
 #include "gui/app/document.h"
 #include "gui/app/memory.h"
@@ -17,6 +18,7 @@ class QStackedWidget;
 namespace glint {
 
 class Actions;
+class Autosave;
 class CommandSearch;
 class EditController;
 class EnvironmentPicker;
@@ -24,6 +26,7 @@ class ExportQueue;
 class FileController;
 class MaterialPanel;
 class MaterialPreviews;
+class FileWatch;
 class MessageBar;
 class MessageLog;
 class ObjectList;
@@ -57,11 +60,16 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] ExportQueue& exports() { return *exports_; }
     [[nodiscard]] StatusLine& status() { return *status_; }
     [[nodiscard]] Actions& actions() { return *actions_; }
+    [[nodiscard]] Autosave& autosave() { return *autosave_; }
+    /// Above the messages: what an earlier run left behind.
+    [[nodiscard]] MessageBar& recoveryBar() { return *recoveryBar_; }
 
     /// Covers the picture with the start page until a scene is chosen.
     void showStartPage();
     /// A scene is opened, a picture becomes the environment.
     void openDropped(const std::filesystem::path& file);
+    /// Asks about the unsaved work of runs that did not end properly, if there is any.
+    void offerRecovery();
 
   protected:
     void changeEvent(QEvent* event) override;
@@ -84,12 +92,15 @@ class MainWindow : public QMainWindow {
     void connectTools();
     void connectSavedViews();
     void connectState();
+    void connectDisk();
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
     void updateTitle();
     void updateSelectionText();
     void openAddMenu();
     void openExport();
     void fillRecentMenu(QMenu* menu);
+    void fillCameraMenu(QMenu* menu);
+    void fillSavedViewMenu(QMenu* menu);
     void openPreferences();
     void hideStartPage();
     void applyPreferences(const PreferenceValues& before);
@@ -97,6 +108,7 @@ class MainWindow : public QMainWindow {
     Memory memory_;
     Preferences preferences_;
     Document document_;
+    std::unique_ptr<Autosave> autosave_;
     Selection selection_;
     Renderer* renderer_;
     RenderView* view_ = nullptr;
@@ -104,6 +116,7 @@ class MainWindow : public QMainWindow {
     MessageLog* log_ = nullptr;
     SceneThumbnails* thumbnails_ = nullptr;
     MessageBar* messages_ = nullptr;
+    MessageBar* recoveryBar_ = nullptr;
     StatusLine* status_ = nullptr;
     ObjectList* objects_ = nullptr;
     PropertyPanel* properties_ = nullptr;
@@ -115,6 +128,7 @@ class MainWindow : public QMainWindow {
     ViewCommands* viewCommands_ = nullptr;
     EditController* edits_ = nullptr;
     FileController* files_ = nullptr;
+    FileWatch* fileWatch_ = nullptr;
     ExportQueue* exports_ = nullptr;
     CommandSearch* search_ = nullptr;
     QMenu* addMenu_ = nullptr;

@@ -29,6 +29,8 @@ class Renderer : public QObject {
     void setPaused(bool paused);
     /// Renders on so many threads from now on, 0 for one a processor; the picture starts again.
     void setThreads(int threads);
+    /// Draws the same scene again, from files that may have changed.
+    void reload() { publishScene(); }
 
   signals:
     void frameReady();

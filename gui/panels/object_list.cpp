@@ -32,7 +32,13 @@ ObjectList::ObjectList(Document& document, Selection& selection, QWidget* parent
     search_->addAction(icon("search"), QLineEdit::LeadingPosition);
     search_->setAccessibleName(tr("Search objects"));
     connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
-        filter_->setFilterFixedString(text);
+        // Without the rows while the filter changes: thousands of them coming and going one by one would take long.
+        {
+            const QScopedValueRollback guard(syncing_, true);
+            filter_->setSourceModel(nullptr);
+            filter_->setFilterFixedString(text);
+            filter_->setSourceModel(model_);
+        }
         tree_->expandAll();
         showSelection();
     });
