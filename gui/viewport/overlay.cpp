@@ -14,8 +14,6 @@ namespace {
 
 const OverlayColors kColors;
 constexpr double kGlyphSize = 22;
-/// Outlines of so many items are drawn; more would be a blot and slow.
-constexpr std::size_t kMaxOutlines = 500;
 
 double cross(const QPointF& o, const QPointF& a, const QPointF& b) {
     return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
@@ -101,26 +99,19 @@ void paintGrid(QPainter& painter, const ViewProjection& view, const DVec3& aroun
     }
 }
 
-void paintOutlines(QPainter& painter, const Scene& scene, const std::vector<Item>& selected, const ViewProjection& view) {
-    painter.setBrush(Qt::NoBrush);
-    std::size_t count = 0;
-    const Item active = selected.empty() ? Item{} : selected.back();
-    for (const ObjectId id : objectsWithin(scene, selected)) {
-        if (++count > kMaxOutlines) break;
-        const QPolygonF outline = outlineOf(scene, scene.objects.at(id), view);
-        if (outline.isEmpty()) continue;
-        drawWithHalo(painter, Item::of(id) == active ? kColors.active : kColors.selected, 1.5, [&] { painter.drawPolygon(outline); });
-    }
-}
-
 std::vector<Glyph> glyphsOf(const Scene& scene, const ViewProjection& view) {
     std::vector<Glyph> out;
     const auto add = [&](Item item) {
         if (const auto at = view.project(worldFromItem(scene, item).translation)) out.push_back({item, *at});
     };
     scene.lights.forEach([&](LightId id, const Light& light) {
-        // A sun is everywhere: the list shows it, the picture cannot.
-        if (!std::holds_alternative<SunLight>(light.value)) add(Item::of(id));
+        const auto* sun = std::get_if<SunLight>(&light.value);
+        if (!sun) return add(Item::of(id));
+        // A sun is everywhere: its mark stands where it is seen in the sky.
+        constexpr double kFar = 1e6;  // metres
+        const double length = glm::length(sun->direction);
+        if (length > 0)
+            if (const auto at = view.project(scene.viewCamera().position - sun->direction * (kFar / length))) out.push_back({Item::of(id), *at});
     });
     scene.cameras.forEach([&](CameraId id, const Camera&) { if (id != scene.activeCamera) add(Item::of(id)); });
     return out;

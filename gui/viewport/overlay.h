@@ -1,4 +1,4 @@
-// What is drawn over the traced picture: outlines of the selection, glyphs of lights and cameras, grid, safe frame, gizmo.
+// What is drawn over the traced picture: glyphs of lights and cameras, grid, safe frame, gizmo.
 // Functions from a scene and a view to strokes; nothing here changes anything.
 #pragma once
 
@@ -18,11 +18,10 @@ struct OverlayColors {
 
 /// Smallest convex polygon around the points (Andrew's monotone chain).
 [[nodiscard]] QPolygonF convexHull(std::vector<QPointF> points);
-/// The outline of an object on the screen; for an infinite plane a square about its origin. Empty if out of sight.
+/// The hull of an object on the screen, which holds all of it; for an infinite plane a square about its origin. Empty if out of sight.
 [[nodiscard]] QPolygonF outlineOf(const Scene& scene, const Object& object, const ViewProjection& view);
 
 void paintGrid(QPainter& painter, const ViewProjection& view, const DVec3& around);
-void paintOutlines(QPainter& painter, const Scene& scene, const std::vector<Item>& selected, const ViewProjection& view);
 /// Marks where lights and other cameras are; `selected` ones stand out.
 void paintGlyphs(QPainter& painter, const Scene& scene, const std::vector<Item>& selected, const ViewProjection& view);
 /// The part of the view that a picture of the film's size shows; what is outside is dimmed.

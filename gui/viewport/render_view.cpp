@@ -9,6 +9,7 @@
 #include "gui/viewport/navigation.h"
 #include "gui/viewport/navigation_gestures.h"
 #include "gui/viewport/overlay.h"
+#include "gui/viewport/selection_outline.h"
 #include "tracer/color/display.h"
 
 namespace glint {
@@ -22,7 +23,7 @@ Pointer pointerOf(const QMouseEvent& event) { return {event.position(), event.mo
 }  // namespace
 
 RenderView::RenderView(Document& document, Selection& selection, Renderer& renderer, QWidget* parent)
-    : QWidget(parent), context_{document, selection, renderer, *this, {}, {}} {
+    : QWidget(parent), context_{document, selection, renderer, *this, {}, {}}, outline_(new SelectionOutline(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -32,6 +33,7 @@ RenderView::RenderView(Document& document, Selection& selection, Renderer& rende
     wheelTimer_.setInterval(kWheelPauseMs);
     const auto repaint = qOverload<>(&QWidget::update);
     connect(&renderer, &Renderer::frameReady, this, repaint);
+    connect(outline_, &SelectionOutline::ready, this, repaint);
     connect(&renderer, &Renderer::pausedChanged, this, repaint);
     connect(&document, &Document::changed, this, repaint);
     connect(&selection, &Selection::changed, this, repaint);
@@ -245,11 +247,17 @@ void RenderView::paintPicture(QPainter& painter) const {
     if (!frame || frame->width <= 0 || frame->height <= 0) return;
     const QImage image(reinterpret_cast<const uchar*>(frame->pixels.data()), frame->width, frame->height,
                        frame->width * 4, QImage::Format_RGB32);
+    const QRectF target = pictureRect();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, target != QRectF(rect()));
+    painter.drawImage(target, image);
+}
+
+QRectF RenderView::pictureRect() const {
+    const SessionFrame* frame = context_.renderer.frame();
+    if (QSize(frame->width, frame->height) == size() * devicePixelRatioF()) return rect();
     // Until the first frame of a new size comes, the old one is shown with the same height: the field of view is vertical.
-    const double width = static_cast<double>(height()) * frame->width / frame->height;
-    const bool exact = QSize(frame->width, frame->height) == size() * devicePixelRatioF();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, !exact);
-    painter.drawImage(exact ? QRectF(rect()) : QRectF((this->width() - width) / 2, 0, width, height()), image);
+    const double wide = static_cast<double>(height()) * frame->width / frame->height;
+    return {(width() - wide) / 2, 0, wide, static_cast<double>(height())};
 }
 
 void RenderView::paintOverlay(QPainter& painter) const {
@@ -258,7 +266,7 @@ void RenderView::paintOverlay(QPainter& painter) const {
     const std::vector<Item>& selected = context_.selection.items();
     if (gridShown_) paintGrid(painter, view, scene.viewCamera().target);
     paintSafeFrame(painter, scene.film, view);
-    paintOutlines(painter, scene, selected, view);
+    if (const QImage& outline = outline_->image(context_); !outline.isNull()) painter.drawImage(pictureRect(), outline);
     paintGlyphs(painter, scene, selected, view);
     paintAxesCorner(painter, view);
     if (const auto* drag = dynamic_cast<const GizmoGesture*>(gesture_.get())) {

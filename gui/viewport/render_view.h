@@ -11,6 +11,8 @@
 
 namespace glint {
 
+class SelectionOutline;
+
 class RenderView : public QWidget, public PictureSource {
     Q_OBJECT
 
@@ -19,6 +21,7 @@ class RenderView : public QWidget, public PictureSource {
     ~RenderView() override;
 
     [[nodiscard]] ViewContext& context() { return context_; }
+    [[nodiscard]] SelectionOutline& outline() { return *outline_; }
     [[nodiscard]] const ToolOptions& tools() const { return context_.tools; }
     void setTools(const ToolOptions& tools);
     void setOverlayShown(bool shown);
@@ -62,10 +65,13 @@ class RenderView : public QWidget, public PictureSource {
     void updateSize();
     void focusAt(const QPointF& at);
     void paintPicture(QPainter& painter) const;
+    /// Where the frame's pixels are drawn.
+    [[nodiscard]] QRectF pictureRect() const;
     void paintOverlay(QPainter& painter) const;
     void paintHints(QPainter& painter) const;
 
     ViewContext context_;
+    SelectionOutline* outline_;
     std::unique_ptr<Gesture> gesture_;
     Qt::MouseButton gestureButton_ = Qt::NoButton;  ///< NoButton: follows until a click
     Handle hovered_ = Handle::None;

@@ -12,6 +12,7 @@
 #include <QTreeView>
 
 #include "gui/app/text.h"
+#include "gui/panels/form_builder.h"
 #include "gui/panels/object_list.h"
 #include "gui/panels/object_model.h"
 #include "gui/widgets/color_button.h"
