@@ -59,14 +59,19 @@ Autosave::~Autosave() {
     if (!copy_.empty() && !document_.isModified()) removeFiles(copy_);
 }
 
-void Autosave::begin(const fs::path& folder, std::chrono::milliseconds delay) {
+void Autosave::setDelay(std::optional<std::chrono::milliseconds> delay) {
+    delay_ = delay;
+    timer_.stop();
+    onChanged();
+}
+
+void Autosave::begin(const fs::path& folder) {
     std::error_code ignored;
     fs::create_directories(folder, ignored);
     folder_ = folder;
     copy_ = folder / (QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString() + kCopyEnding);
     lock_ = lockOf(copy_);
     lock_->tryLock(0);
-    timer_.setInterval(delay);
     onChanged();
 }
 
@@ -82,7 +87,7 @@ void Autosave::end() {
 void Autosave::onChanged() {
     if (copy_.empty()) return;
     if (!document_.isModified()) return removeCopy();
-    if (!timer_.isActive() && !(hasCopy_ && document_.committed() == written_)) timer_.start();
+    if (delay_ && !timer_.isActive() && !(hasCopy_ && document_.committed() == written_)) timer_.start(*delay_);
 }
 
 void Autosave::removeCopy() {
@@ -95,7 +100,8 @@ void Autosave::removeCopy() {
 }
 
 void Autosave::write() {
-    if (writing_.isRunning()) return timer_.start();
+    constexpr std::chrono::milliseconds kBusy{200};
+    if (writing_.isRunning()) return timer_.start(kBusy);
     if (!document_.isModified()) return;
     written_ = document_.committed();
     hasCopy_ = true;

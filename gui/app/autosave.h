@@ -10,6 +10,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "tracer/base/result.h"
@@ -23,15 +24,14 @@ class Autosave : public QObject {
     Q_OBJECT
 
   public:
-    /// From an unsaved edit until its copy is begun. Writing takes well below a second, so the loss stays under 30 s.
-    static constexpr std::chrono::milliseconds kDelay{15000};
-
     explicit Autosave(Document& document, QObject* parent = nullptr);
     /// Waits for a copy that is being written. The copy stays if the document is unsaved.
     ~Autosave() override;
 
-    /// Keeps copies in `folder` from now on, each written at most `delay` after the first edit that it lacks.
-    void begin(const std::filesystem::path& folder, std::chrono::milliseconds delay = kDelay);
+    /// Keeps copies in `folder` from now on.
+    void begin(const std::filesystem::path& folder);
+    /// From an unsaved edit until its copy is begun; writing takes well below a second more. None: no copies are made.
+    void setDelay(std::optional<std::chrono::milliseconds> delay);
     /// The person gave the unsaved changes up: removes the copy and ends.
     void end();
 
@@ -64,6 +64,7 @@ class Autosave : public QObject {
     QFuture<Status> writing_;
     Scene written_;                        ///< what the copy holds
     std::vector<Leftover> superseded_;     ///< recovered ones, removed with the next copy
+    std::optional<std::chrono::milliseconds> delay_;
     bool hasCopy_ = false, failing_ = false;
 };
 

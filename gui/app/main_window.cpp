@@ -508,6 +508,7 @@ void MainWindow::applyPreferences(const PreferenceValues& before) {
     const PreferenceValues& now = preferences_.values();
     if (now.theme != before.theme) applyTheme(now.theme);
     if (now.language != before.language) applyLanguage(now.language);
+    autosave_->setDelay(now.autosaveSeconds > 0 ? std::optional(std::chrono::seconds(now.autosaveSeconds)) : std::nullopt);
     renderer_->setThreads(now.renderThreads);
     view_->context().navigation = {now.invertWheel, now.orbitSelection};
 }
