@@ -4,85 +4,30 @@
 
 #include <cstdio>
 #include <functional>
-#include <random>
 #include <vector>
 
 #include "tests/bench/clock.h"
 #include "tests/bench/output.h"
+#include "tests/bench/shape_field.h"
 #include "tests/support/scalar_lists.h"
 #include "tracer/math/transform.h"
-#include "tracer/math/warp.h"
 #include "tracer/math/statistics.h"
 
 namespace glint::bench {
 
 namespace {
 
-constexpr double kHalfSize = 10;  ///< of the cube that shapes and rays are in [m]
-constexpr std::size_t kRays =
-    1u << 14;             ///< a set; small enough to stay in the cache beside the shapes
-constexpr int kRuns = 7;  ///< interleaved; the median counts
+constexpr std::size_t kSide = 128;
+constexpr std::size_t kRays = kSide * kSide;  ///< a set; small enough to stay in the cache beside the shapes
+constexpr int kRuns = 7;                      ///< interleaved; the median counts
 constexpr double kSecondsARun = 0.05;
 
-struct Random {
-    std::mt19937_64 engine{7};
-    double operator()(double from, double to) {
-        return std::uniform_real_distribution<double>(from, to)(engine);
-    }
-    DVec3 point() {
-        return {(*this)(-kHalfSize, kHalfSize), (*this)(-kHalfSize, kHalfSize),
-                (*this)(-kHalfSize, kHalfSize)};
-    }
-    DVec3 direction() { return uniformSphere({(*this)(0, 1), (*this)(0, 1)}); }
+/// What is asked of the shapes: closest hits of rays from a camera or from anywhere, or whether anything is in the way.
+struct RaySet {
+    const char* name;
+    std::vector<BenchRay> rays;
+    bool shadow;
 };
-
-/// A shape of about a quarter of the mean distance between shapes, at a random place.
-ShapeInstance instanceOf(const CanonicalShape& shape, std::size_t count, Random& random,
-                         bool turned) {
-    const double size =
-        random(0.5, 1.5) * 0.25 * 2 * kHalfSize / std::cbrt(static_cast<double>(count));
-    ShapeInstance out;
-    out.shape = shape;
-    out.center = random.point();
-    DMat3 linear(size);
-    if (turned) {
-        linear = rotationFromDegrees({random(0, 360), random(0, 360), random(0, 360)});
-        for (int axis = 0; axis < 3; ++axis) linear[axis] *= size * random(0.5, 1.5);
-    }
-    out.worldFromLocal = linear;
-    out.localFromWorld = glm::inverse(linear);
-    return out;
-}
-
-std::vector<ShapeInstance> makeShapes(std::size_t count, bool mixed) {
-    const CanonicalShape kinds[] = {CanonicalSphere{},   CanonicalBox{},      CanonicalQuad{},
-                                    CanonicalDisk{},     CanonicalCylinder{}, CanonicalCone{},
-                                    CanonicalTorus{0.25}};
-    Random random;
-    std::vector<ShapeInstance> out;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t kind =
-            mixed ? i % 8 : 0;  // Of eight: two spheres, one of them round, and one of each other.
-        out.push_back(instanceOf(kinds[kind == 7 ? 0 : kind], count, random, mixed && kind != 7));
-    }
-    return out;
-}
-
-struct BenchRay {
-    Ray ray;
-    double tMax;
-};
-std::vector<BenchRay> makeRays() {
-    Random random;
-    random.engine.seed(11);
-    std::vector<BenchRay> rays(kRays);
-    for (BenchRay& r : rays) {
-        r.ray.origin = random.point();
-        r.ray.direction = random.direction();
-        r.tMax = random(0, 2 * kHalfSize);
-    }
-    return rays;
-}
 
 /// Embree's sphere points with the places and sizes of the shapes.
 class EmbreePoints {
@@ -191,42 +136,66 @@ void report(const std::string& what, std::size_t count, std::vector<Contender>& 
     rows.push_back(std::move(row));
 }
 
-void measure(const std::string& kind, std::size_t count, const std::vector<BenchRay>& rays,
-             Json& rows) {
-    const std::vector<ShapeInstance> shapes = makeShapes(count, kind == "mixed");
+void measure(FieldOf kind, std::size_t count, const std::vector<RaySet>& sets, Json& rows) {
+    const std::vector<ShapeInstance> shapes = makeShapes(count, kind);
     const ShapeLists lists(shapes);
     const test::ScalarLists scalar(shapes);
     const EmbreePoints embree(shapes);
     const MediaStack media;
-    std::vector<Contender> closest{
-        contender("glint", rays,
-                  [&](const BenchRay& r) { return lists.closest(r.ray, media).found(); }),
-        contender("embree", rays, [&](const BenchRay& r) { return embree.closest(r); })};
-    std::vector<Contender> occluded{
-        contender(
-            "glint", rays,
-            [&](const BenchRay& r) { return lists.occluded(r.ray, media, r.tMax, kNoShape); }),
-        contender("embree", rays, [&](const BenchRay& r) { return embree.occluded(r); })};
-    if (count <= 1000) {
-        closest.push_back(contender("double", rays, [&](const BenchRay& r) {
-            return scalar.closest(r.ray, media).found();
-        }));
-        occluded.push_back(contender("double", rays, [&](const BenchRay& r) {
-            return scalar.occluded(r.ray, media, r.tMax, kNoShape);
-        }));
+    WorkCounts work;
+    for (const RaySet& set : sets) {
+        const bool shadow = set.shadow;
+        std::vector<Contender> contenders{
+            contender("glint", set.rays,
+                      [&, shadow](const BenchRay& r) {
+                          return shadow ? lists.occluded(r.ray, media, r.tMax, kNoShape, work)
+                                        : lists.closest(r.ray, media, kInfinity, work).found();
+                      }),
+            contender("embree", set.rays,
+                      [&, shadow](const BenchRay& r) { return shadow ? embree.occluded(r) : embree.closest(r); })};
+        if (count <= 1000)
+            contenders.push_back(contender("double", set.rays, [&, shadow](const BenchRay& r) {
+                return shadow ? scalar.occluded(r.ray, media, r.tMax, kNoShape) : scalar.closest(r.ray, media).found();
+            }));
+        report(std::string(kind == FieldOf::Balls ? "balls " : "mixed ") + set.name, count, contenders, rows);
     }
-    report(kind + " closest", count, closest, rows);
-    report(kind + " occluded", count, occluded, rows);
+}
+
+/// Nanoseconds of a ray at one torus: rays that meet its bounding ball, and rays that miss it (NUMERICS P2).
+void measureTorus(Json& json) {
+    ShapeInstance torus;
+    torus.shape = CanonicalTorus{0.25};
+    torus.worldFromLocal = torus.localFromWorld = DMat3(1.0);
+    const ShapeLists lists({torus});
+    const MediaStack media;
+    WorkCounts work;
+    Random random;
+    std::vector<BenchRay> meeting, missing;
+    while (meeting.size() < kRays || missing.size() < kRays) {
+        const BenchRay r{{random.point(), random.direction()}, kInfinity};
+        const double along = glm::dot(-r.ray.origin, r.ray.direction), nearest = glm::length(r.ray.origin + std::max(along, 0.0) * r.ray.direction);
+        std::vector<BenchRay>& to = nearest < 1.25 ? meeting : missing;
+        if (to.size() < kRays) to.push_back(r);
+    }
+    const auto nanoseconds = [&](const std::vector<BenchRay>& rays) {
+        Contender c = contender("torus", rays, [&](const BenchRay& r) { return lists.closest(r.ray, media, kInfinity, work).found(); });
+        for (int run = 0; run < kRuns; ++run) c.run();
+        return 1e9 / c.median();
+    };
+    const double meets = nanoseconds(meeting), misses = nanoseconds(missing);
+    std::printf("one torus: %.0f ns a ray that meets its bounding ball, %.1f ns a ray that misses it\n", meets, misses);
+    json = {{"ns_meeting", meets}, {"ns_missing", misses}};
 }
 
 int runRays(const std::string& jsonFile) {
     if (!canWrite(jsonFile)) return kCannotWrite;
-    const std::vector<BenchRay> rays = makeRays();
-    Json rows = Json::array();
-    for (const char* kind : {"balls", "mixed"})
-        for (const std::size_t count : {1u, 2u, 3u, 4u, 8u, 16u, 64u, 128u, 129u, 1000u, 100000u})
-            measure(kind, count, rays, rows);
-    return writeJson(jsonFile, rows) ? kOk : kCannotWrite;
+    std::printf("One thread, the same rays for both, %d runs in turn: about two minutes.\n", kRuns);
+    const std::vector<RaySet> sets{{"primary", cameraRays(kSide), false}, {"incoherent", incoherentRays(kRays), false}, {"shadow", incoherentRays(kRays), true}};
+    Json json{{"rows", Json::array()}};
+    for (const FieldOf kind : {FieldOf::Balls, FieldOf::Mixed})
+        for (const std::size_t count : {1, 2, 3, 4, 8, 16, 64, 128, 129, 1000, 100000}) measure(kind, count, sets, json["rows"]);
+    measureTorus(json["torus"]);
+    return writeJson(jsonFile, json) ? kOk : kCannotWrite;
 }
 
 }  // namespace
