@@ -34,6 +34,10 @@ class Hand {
     }
     /// Shift+A over the picture, then a click on the entry.
     void add(const QString& entry) {
+        // A closed list leaves no window active where there is no window manager.
+        while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+        window_.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window_)) return fault("the window is not active");
         window_.view().setFocus();
         key(Qt::Key_A, Qt::ShiftModifier);
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
