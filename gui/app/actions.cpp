@@ -71,6 +71,7 @@ constexpr ActionRow kRows[] = {
     {"view.brighter", T("&Brighter"), "]", "", T("Half a stop more exposure")},
 
     {"render.pause", T("&Pause"), "Space", "pause", T("Stop rendering and keep the samples"), true},
+    {"render.errorReport", T("E&rror report…"), "", "", T("Measure how the error of this scene falls with time")},
     {"render.copy", T("&Copy picture"), "Ctrl+Shift+C", "image", T("Copy the picture as it is shown")},
 
     {"window.light", T("&Light theme"), "", "", T("Switch between dark and light"), true},

@@ -24,6 +24,7 @@
 #include "gui/app/autosave.h"
 #include "gui/app/command_search.h"
 #include "gui/app/edit_controller.h"
+#include "gui/app/error_report_dialog.h"
 #include "gui/app/export_dialog.h"
 #include "gui/app/export_queue.h"
 #include "gui/app/file_controller.h"
@@ -226,7 +227,7 @@ void MainWindow::buildMenus() {
     connect(cameras, &QMenu::aboutToShow, this, [this, cameras] { fillCameraMenu(cameras); });
     QMenu* saved = viewMenu->addMenu(tr("Sa&ved views"));
     connect(saved, &QMenu::aboutToShow, this, [this, saved] { fillSavedViewMenu(saved); });
-    menu(tr("&Render"), {"render.pause", "render.copy", "-", "file.export"});
+    menu(tr("&Render"), {"render.pause", "render.copy", "-", "render.errorReport", "-", "file.export"});
     QMenu* window = menuBar()->addMenu(tr("&Window"));
     for (QDockWidget* dock : findChildren<QDockWidget*>()) window->addAction(dock->toggleViewAction());
     actions_->fill(window, {"-", "window.light"});
@@ -282,6 +283,7 @@ void MainWindow::connectFileActions() {
     actions_->on("file.save", files_, &FileController::save);
     actions_->on("file.saveAs", files_, &FileController::saveAs);
     actions_->on("file.export", this, &MainWindow::openExport);
+    actions_->on("render.errorReport", this, [this] { (new ErrorReportDialog(document_, this))->show(); });
     actions_->on("file.quit", this, &QWidget::close);
     actions_->on("render.pause", renderer_, [this](bool paused) { renderer_->setPaused(paused); });
     actions_->on("render.copy", this, [this] {

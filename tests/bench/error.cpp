@@ -89,7 +89,7 @@ class ErrorBench {
         }
         std::printf("%s", table.markdown().c_str());
         const bool written = writeJson(options_.json, json) && writeText(options_.csv, csv) && writeText(options_.markdown, table.markdown()) &&
-                             writeText(options_.plot, errorReportSvg(reports_, "Error over time"));
+                             writeText(options_.plot, errorReportSvg(reports_, "Error over time", false));
         return written ? kOk : kCannotWrite;
     }
 

@@ -160,8 +160,8 @@ std::string errorReportCsv(const ErrorReport& report) {
     return out;
 }
 
-std::string errorReportSvg(const std::vector<NamedErrorReport>& reports, const std::string& title) {
-    LogPlot plot{title, "time of one render [s]", "relMSE", {}};
+std::string errorReportSvg(const std::vector<NamedErrorReport>& reports, const std::string& title, bool onDark) {
+    LogPlot plot{title, "time of one render [s]", "relMSE", {}, onDark};
     for (const NamedErrorReport& named : reports) {
         PlotCurve curve{named.name, {}};
         for (const ErrorPoint& p : named.report.points)

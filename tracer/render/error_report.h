@@ -62,6 +62,6 @@ struct NamedErrorReport {
     std::string name;
     ErrorReport report;
 };
-[[nodiscard]] std::string errorReportSvg(const std::vector<NamedErrorReport>& reports, const std::string& title);
+[[nodiscard]] std::string errorReportSvg(const std::vector<NamedErrorReport>& reports, const std::string& title, bool onDark);
 
 }  // namespace glint
