@@ -64,7 +64,7 @@ void ErrorReportDialog::build() {
     column->addWidget(progress_);
     plot_ = new QSvgWidget(this);
     plot_->setObjectName("errorReport.plot");
-    plot_->setMinimumSize(fontMetrics().averageCharWidth() * 60, fontMetrics().height() * 18);
+    plot_->setMinimumSize(fontMetrics().averageCharWidth() * 95, fontMetrics().height() * 18);
     plot_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     column->addWidget(plot_, 1);
     table_ = new QTableWidget(0, 6, this);
