@@ -49,6 +49,7 @@ usage: ./glint.sh [SCENE]         build, then open the editor on SCENE (default:
        ./glint.sh build           build only, into build/release
        ./glint.sh render ARGS     glint-render: SCENE -o PICTURE [--spp N] ... (render --help)
        ./glint.sh test [--full]   build and run every test; --full: long forms, sanitizers, fuzzing
+       ./glint.sh numbers        the full numeric tests of geometry; their counts into tests/numeric/README.md
        ./glint.sh bench ARGS      glint-bench: measure (bench --help)
        ./glint.sh help            this text
 
@@ -170,12 +171,14 @@ test_sanitizer() {
 fuzz() {
     build fuzz
     export LSAN_OPTIONS=$leak_suppressions
-    local target name
+    local target name leaks
     for target in "$root"/build/fuzz/glint-fuzz-*; do
         [[ -x $target ]] || fail "no fuzz targets in build/fuzz"
         name=${target##*/glint-fuzz-}
         mkdir -p "$root/build/fuzz/corpus/$name"
-        (cd "$root/build/fuzz" && "$target" -max_total_time="${GLINT_FUZZ_SECONDS:-60}" -timeout=1 -rss_limit_mb=4096 \
+        leaks=1
+        [[ $name != image ]] || leaks=0 # the check itself fails among the image library's threads
+        (cd "$root/build/fuzz" && "$target" -detect_leaks=$leaks -max_total_time="${GLINT_FUZZ_SECONDS:-60}" -timeout=1 -rss_limit_mb=4096 \
             -print_final_stats=1 "corpus/$name" "$root/tests/fuzz/corpus/$name")
     done
 }
@@ -204,6 +207,18 @@ run_tests() {
     fi
 }
 
+# The full forms of the geometry tests, one after the other, and the tables of tests/numeric/README.md.
+run_numbers() {
+    build_release
+    local record=$release/numbers.tsv tests=$release/tests
+    rm -f "$record"
+    export GLINT_FULL=${GLINT_FULL:-1} GLINT_RECORD=$record
+    local geometry='SphereFull.*:ShapesFull.*:TorusFull.*:AcneFull.*:ContactFull.*:LeaksFull.*:AnyHitFull.*:ShapeListsFull.*:ScaleFull.*:SolidAngleFull.*'
+    "$tests/glint_tests_numeric" --gtest_filter="$geometry"
+    "$tests/glint_tests_render" --gtest_filter='MediaWalkFull.*'
+    "$tests/glint-numeric-table" "$root/tests/numeric/README.md" "$record"
+}
+
 command=${1:-}
 (($# == 0)) || shift
 case $command in
@@ -213,6 +228,7 @@ case $command in
         exec "$release/glint-render" "$@"
         ;;
     test) run_tests "$@" ;;
+    numbers) run_numbers ;;
     bench)
         build_release
         exec "$release/glint-bench" "$@"

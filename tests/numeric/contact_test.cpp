@@ -87,5 +87,72 @@ void expectNoLeakThroughGaps(std::uint64_t count) {
 TEST(Contact, NothingLeaksThroughTheGapBetweenBalls) { expectNoLeakThroughGaps(100000); }
 TEST_F(ContactFull, NothingLeaksThroughTheGapBetweenBalls) { expectNoLeakThroughGaps(25'000'000); }
 
+/// Three balls about one centre, 1e-12 of their radius apart. The outermost has the highest index,
+/// so that no tie favours it.
+World shells(bool glass) {
+    std::vector<ShapeInstance> shapes;
+    for (const double radius : {1 - 2e-12, 1 - 1e-12, 1.0})
+        shapes.push_back(makeInstance(CanonicalSphere{}, DMat3(radius), {0.3, -0.2, 0.1}));
+    return World(std::move(shapes), glass);
+}
+
+Tally lookAtShells(std::uint64_t count) {
+    return tallyInParallel(count, 15, [=](Random& random, std::uint64_t n) {
+        const World world = shells(false);
+        const DVec3 center = world.scene.shapes[0].center;
+        Tally tally;
+        for (std::uint64_t i = 0; i < n; ++i) {
+            const Ray outer = rayTo(center + random.logUniform(1.01, 100) * random.direction(),
+                                    center + 0.999 * random.direction());
+            const Ray inner = rayTo(center + random.uniform(0, 0.9) * random.direction(),
+                                    center + random.direction());
+            tally.checks += 2;
+            if (world.scene.lists.closest(outer, {}).shape != 2)
+                tally.fail("from outside: " + replay(world.scene.shapes[2], outer));
+            if (world.scene.lists.closest(inner, {}).shape != 0)
+                tally.fail("from inside: " + replay(world.scene.shapes[0], inner));
+        }
+        return tally;
+    });
+}
+
+/// A straight way through shells of glass enters them from outside in, and leaves them from inside
+/// out.
+Tally crossShells(std::uint64_t count) {
+    return tallyInParallel(count, 16, [=](Random& random, std::uint64_t n) {
+        const World world = shells(true);
+        const DVec3 center = world.scene.shapes[0].center;
+        Tally tally;
+        for (std::uint64_t i = 0; i < n; ++i) {
+            Ray ray = rayTo(center + random.logUniform(1.01, 100) * random.direction(),
+                            center + 0.999 * random.direction());
+            MediaStack media;
+            std::string order;
+            for (int k = 0; k < 8; ++k) {
+                const ShapeHit hit = world.scene.lists.closest(ray, media);
+                if (!hit.found()) break;
+                order += std::to_string(hit.shape);
+                const SurfacePoint point = world.point(ray, hit, media);
+                ray = {point.position, ray.direction, hit.shape, !media.contains(hit.shape)};
+                media.cross(hit.shape);
+            }
+            ++tally.checks;
+            if (order != "210012")
+                tally.fail("order " + order + ": " + replay(world.scene.shapes[2], ray));
+        }
+        return tally;
+    });
+}
+
+void expectShells(std::uint64_t count) {
+    for (const Tally& tally : {lookAtShells(count), crossShells(count)}) {
+        tally.print("shells 1e-12 apart");
+        EXPECT_EQ(tally.failures, 0u) << tally.first;
+    }
+}
+
+TEST(Contact, ConcentricShellsAHairApartKeepTheirOrder) { expectShells(50000); }
+TEST_F(ContactFull, ConcentricShellsAHairApartKeepTheirOrder) { expectShells(10'000'000); }
+
 }  // namespace
 }  // namespace glint

@@ -107,6 +107,48 @@ TEST_F(ShapesFull, GrazingHitsOfCurvedSidesAgreeWithQuadPrecision) {
     expectGrazing(100'000'000 / 12 + 1);
 }
 
+/// Turned, stretched by up to 1e6 to 1, and turned again, so that local axes are sheared: needles,
+/// slabs and slivers.
+DMat3 extremeLinear(Random& random) {
+    const auto turn = [&] { return rotationFromDegrees(random.inCube(180)); };
+    const auto factor = [&] { return random.logUniform(1e-3, 1e3); };
+    const DMat3 scale(DVec3(factor(), 0, 0), DVec3(0, factor(), 0), DVec3(0, 0, factor()));
+    return turn() * scale * (random.next() % 2 == 0 ? turn() : DMat3(1.0));
+}
+
+Tally throwAtNeedles(const CanonicalShape& shape, std::uint64_t count) {
+    return tallyInParallel(count, 14, [=](Random& random, std::uint64_t n) {
+        Tally tally;
+        ShapeInstance instance;
+        ShapeLists lists;
+        for (std::uint64_t i = 0; i < n; ++i) {
+            if (i % 64 == 0) {
+                instance = makeInstance(shape, extremeLinear(random), random.inCube(10));
+                lists = ShapeLists({instance, makeInstance(CanonicalSphere{}, DMat3(1e-9),
+                                                           DVec3(1e9))});  // Two: with the filter.
+            }
+            const DVec3 from = random.logUniform(1.1, 100) * random.direction(),
+                        to = random.next() % 2 == 0 ? rimPoint(random, shape) : random.inCube(1.2);
+            checkHit(instance, lists,
+                     rayTo(instance.center + instance.worldFromLocal * from,
+                           instance.center + instance.worldFromLocal * to),
+                     tally);
+        }
+        return tally;
+    });
+}
+
+void expectNeedles(std::uint64_t count) {
+    for (const CanonicalShape& shape : oneOfEach()) {
+        const Tally tally = throwAtNeedles(shape, count);
+        tally.print(std::string("stretched to 1e6 : 1, ") + nameOf(shape));
+        EXPECT_EQ(tally.failures, 0u) << tally.first;
+    }
+}
+
+TEST(Shapes, NeedlesAndSliversAgreeWithQuadPrecision) { expectNeedles(6000); }
+TEST_F(ShapesFull, NeedlesAndSliversAgreeWithQuadPrecision) { expectNeedles(10'000'000 / 8); }
+
 /// Puts random points near a surface back onto it, on the face that is nearest.
 Tally projectOnto(const CanonicalShape& shape, std::uint64_t count) {
     return tallyInParallel(count, 3, [=](Random& random, std::uint64_t n) {
@@ -163,6 +205,17 @@ TEST(Shapes, OutwardStaysOutwardUnderMirrors) {
                 },
                 shape);
         }
+}
+
+/// Found among 1e9 rays: a start that rounding puts 2e-16 outside, along a tangent. Where the
+/// distance is c / q, both near 0, it becomes 1e-5 radii instead of 5e-9.
+TEST(Shapes, ATangentRayThatEntersLeavesWhereItStarts) {
+    const double along = 2.5e-11, outside = 2.3e-16;
+    for (const double side : {-1.0, 1.0}) {
+        const DVec3 o(1 + outside, 0, 0), d = glm::normalize(DVec3(side * along, 0, 1));
+        EXPECT_LE(CanonicalSphere{}.first(o, d, Start::Entering).t, 1e-7);
+        EXPECT_LE(CanonicalCylinder{}.first(o, d, Start::Entering).t, 1e-7);
+    }
 }
 
 TEST(Shapes, ApexOfAConeIsMetFromAbove) {

@@ -207,17 +207,55 @@ TEST(Hostile, AbsorptionOfAMillionIsBlackAndOfZeroIsClear) {
 }
 
 TEST(Hostile, DimAndBrightLightsKeepTheirRatio) {
-    const auto litBy = [](double radiance) {
+    // More lamps than are all sampled at once, so that their powers are added up too.
+    const auto litBy = [](double radiance, double size) {
         SceneBuilder b;
         b.object(Plane{}, b.material(Diffuse{}));
-        b.object(Sphere{0.5}, {}, {0, 3, 0}, {radiance, radiance, radiance});
-        b.camera({0, 2, 6}, {0, 0, 0}, 40);
+        for (int i = 0; i < 6; ++i)
+            b.object(Sphere{0.4 * size}, {}, size * DVec3(i - 2.5, 3, 0),
+                     {radiance, radiance, radiance});
+        b.camera(size * DVec3(0, 2, 6), DVec3(0.0), 40);
         b.film(8, 8, 4);
         return meanOf(answerTo(b.scene()));
     };
-    const double one = litBy(1);
-    EXPECT_NEAR(litBy(1e-30) / 1e-30, one, 1e-4 * one);
-    EXPECT_NEAR(litBy(1e30) / 1e30, one, 1e-4 * one);
+    const double one = litBy(1, 1);
+    for (const double size : {1.0, 1e9, 1e-9, 1e60, 1e-60})
+        for (const double radiance : {1e-30, 1.0, 1e30})
+            EXPECT_NEAR(litBy(radiance, size) / radiance, one, 1e-4 * one)
+                << radiance << " at size " << size;
+}
+
+TEST(Hostile, SizesNearTheEndsOfDoubleAreLeftOutByName) {
+    for (const double radius : {1e-320, 1e-200, 1e-91, 1e91, 1e200, 1e308}) {
+        const Answer answer = answerToBall([&](Object& ball) { ball.shape = Sphere{radius}; });
+        EXPECT_TRUE(answer.drawn);
+        EXPECT_NE(answer.text.find("Object 2"), std::string::npos) << radius << ": " << answer.text;
+        EXPECT_NE(answer.text.find("left out"), std::string::npos) << radius << ": " << answer.text;
+    }
+    for (const double distance : {1e-91, 1e91, 1e200}) {
+        SceneBuilder b = litScene();
+        b.camera({0, 0, 0}, {0, 0, distance}, 40);
+        const Answer answer = answerTo(b.scene());
+        EXPECT_FALSE(answer.drawn);
+        EXPECT_NE(answer.text.find("too near to its target or too far"), std::string::npos)
+            << answer.text;
+    }
+}
+
+/// Fourteen balls of absorbing glass within each other, all of index 1: what is left of the sky
+/// depends on the way through the outermost alone.
+TEST(Hostile, ManyNestedMediaAreTracked) {
+    SceneBuilder b;
+    const MaterialId glass = b.material(Glass{1.0, Color{0.5, 0.5, 0.5}});
+    for (int i = 0; i < 14; ++i) b.object(Sphere{1 - 0.05 * i}, glass);
+    b.scene().environment.color = Color{1, 1, 1};
+    b.scene().render.maxDepth = 200;
+    b.camera({0, 0.1, 4}, {0, 0.1, 0}, 1e-7);
+    b.film(16, 16, 16);
+    const Answer answer = answerTo(b.scene());
+    ASSERT_TRUE(answer.drawn) << answer.text;
+    EXPECT_NEAR(meanOf(answer),
+                std::exp(-0.5 * wayThrough(CanonicalSphere{}, {0, 0.1, 4}, {0, 0, -1})), 0.01);
 }
 
 TEST(Hostile, ThreadsGiantsAndCrowdsAreDrawn) {

@@ -76,7 +76,8 @@ inline void checkHit(const ShapeInstance& instance, const ShapeLists& lists, con
     // Seen edge-on, the rounding of the direction decides where and whether a flat shape is met.
     const double sine = sineOfView(instance.shape, line);
     if (sine < 1e-6) return;
-    const double band = roundingBand(instance, ray.origin) / sine;
+    const double band = std::min(
+        1e-3, roundingBand(instance, ray.origin) / sine);  // Of needles the bound means nothing.
     const Bracket quick = bracket(instance, line, hit.t, kLongDoubleShare * band);
     if (!quick.unclear && quick.miss == !hit.found() && quick.error <= 0.5)
         return tally.error(quick.error);

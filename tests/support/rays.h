@@ -170,9 +170,10 @@ struct Tally {
 [[nodiscard]] Tally tallyInParallel(std::uint64_t total, std::uint64_t seed,
                                     const std::function<Tally(Random&, std::uint64_t)>& piece);
 
-/// Base of the suites named *Full: the counts that take minutes, on request only. Where
-/// GLINT_RECORD names a file, each test appends a line to it: name, checks, failures, worst error,
-/// seconds, separated by tabs; glint-numeric-table makes a table of them.
+/// Base of the suites named *Full: the counts that take minutes, on request only (GLINT_FULL=1;
+/// 0.01 for a hundredth of them). Where GLINT_RECORD names a file, each test appends a line to it:
+/// name, checks, failures, worst error, seconds, separated by tabs; glint-numeric-table makes a
+/// table of them.
 class FullRun : public testing::Test {
   protected:
     void SetUp() override;

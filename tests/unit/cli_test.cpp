@@ -59,7 +59,8 @@ class Cli : public testing::Test {
         for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
         pid_t pid = -1;
-        EXPECT_EQ(posix_spawn(&pid, words.front().c_str(), &actions, nullptr, argv.data(), environ), 0);
+        EXPECT_EQ(posix_spawn(&pid, words.front().c_str(), &actions, nullptr, argv.data(), environ),
+                  0);
         posix_spawn_file_actions_destroy(&actions);
         return pid;
     }
@@ -160,6 +161,10 @@ TEST_F(Cli, AWrongSceneEndsWith2AndOneLine) {
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }
     EXPECT_FALSE(fs::exists(folder_ / "a.exr"));
+}
+
+TEST_F(Cli, AFilmLargerThanTheMemoryEndsWith2BeforeRendering) {
+    expect(2, "GB of memory", {"scene.json", "-o", "a.exr", "--size", "65536x65536"});
 }
 
 TEST_F(Cli, AMissingAssetEndsWith2) {

@@ -46,7 +46,7 @@ TEST(ImageFile, AnExrAttributeLongerThanTheFileIsRefused) {
     const auto loaded =
         loadExr(test::inSource("tests/fuzz/corpus/exr/attribute_longer_than_file.exr"));
     ASSERT_FALSE(loaded);
-    EXPECT_NE(loaded.error().text().find("is longer than the file"), std::string::npos)
+    EXPECT_NE(loaded.error().text().find("is not a readable EXR picture"), std::string::npos)
         << loaded.error().text();
 }
 

@@ -52,11 +52,19 @@ std::shared_ptr<const Image> missingImage() {
     return image;
 }
 
+/// Lengths that geometry can be computed with [m]: their cubes are far from the ends of double.
+constexpr double kLeastLength = 1e-90, kMostLength = 1e90;
+constexpr const char* kLengthRemedy = "scale the scene: lengths from 1e-90 to 1e90 m can be computed with";
+
+[[nodiscard]] double largest(const DVec3& v) { return maxComponent(glm::abs(v)); }
+
 /// Why no picture can be taken with this camera, if so. Files are checked on loading; this holds for scenes made otherwise.
 std::optional<Error> cameraProblem(const Camera& camera) {
     const DVec3 axis = camera.target - camera.position;
-    if (!isFinite(axis) || !(glm::length(axis) > 0))
+    if (!isFinite(axis) || !(largest(axis) > 0))
         return Error{.message = "the camera has no direction to look in", .pointer = "/camera/target", .remedy = "move its position or its target"};
+    if (largest(axis) < kLeastLength || !(std::max(largest(camera.position), largest(camera.target)) <= kMostLength))
+        return Error{.message = "the camera is too near to its target or too far away", .pointer = "/camera", .remedy = kLengthRemedy};
     // Below this sine of the angle between view and up, rounding decides what is right and left.
     constexpr double kSmallestSine = 1e-9;
     if (!(glm::length(glm::cross(glm::normalize(axis), camera.up)) > kSmallestSine * glm::length(camera.up)))
@@ -152,6 +160,7 @@ class Compiler {
                      "correct its transform and its shape");
                 return;
             }
+            if (std::max(largest(world.translation), largest(half)) > kMostLength) return warnOfLength(object);
             placed.emplace_back(id, world);
             if (!std::holds_alternative<Plane>(object.shape)) bounds.add(world.translation, half);
         });
@@ -188,6 +197,8 @@ class Compiler {
             object.shape);
         DMat3 linear = world.linear;
         for (int axis = 0; axis < 3; ++axis) linear[axis] *= half[axis];
+        for (int axis = 0; axis < 3; ++axis)
+            if (const double length = largest(linear[axis]); length > 0 && length < kLeastLength) return warnOfLength(object);
         const auto localFromWorld = inverse(Affine{linear, DVec3(0.0)});
         if (!localFromWorld) {
             warn(CompileWarning::Kind::Ignored, "/objects/" + object.name, "object \"" + object.name + "\" is left out: its transform cannot be inverted",
@@ -203,15 +214,20 @@ class Compiler {
         const auto index = static_cast<std::uint32_t>(out_->shapes.size());
         if (const Rgb emission = toRgb(object.emission); !isBlack(emission) && !std::holds_alternative<Plane>(object.shape)) {
             instance.light = static_cast<std::uint32_t>(out_->lights.lights.size());
-            const double area = std::cbrt(std::pow(glm::determinant(linear), 2.0));
+            const double area = std::pow(std::cbrt(glm::determinant(linear)), 2);
             out_->lights.lights.push_back({.kind = LightKind::Area,
                                            .emission = emission,
                                            .shape = index,
                                            .twoSided = object.twoSided,
-                                           .power = luminance(emission) * static_cast<float>(4 * kPi * area),
+                                           .power = static_cast<double>(luminance(emission)) * 4 * kPi * area,
                                            .group = groups_.of(id)});
         }
         out_->shapes.push_back(instance);
+    }
+
+    void warnOfLength(const Object& object) {
+        warn(CompileWarning::Kind::Ignored, "/objects/" + object.name,
+             "object \"" + object.name + "\" is left out: it is too small, too large or too far away", kLengthRemedy);
     }
 
     void addLights() {
@@ -225,7 +241,7 @@ class Compiler {
         out_->lights.lights.push_back({.kind = LightKind::Point,
                                        .position = light.position - out_->origin,
                                        .emission = intensity,
-                                       .power = 4 * kPiF * luminance(intensity),
+                                       .power = 4 * kPi * static_cast<double>(luminance(intensity)),
                                        .group = group});
     }
     void addLight(const SpotLight& light, std::uint8_t group) {
@@ -239,7 +255,7 @@ class Compiler {
                                        .emission = intensity,
                                        .cosInner = static_cast<float>(std::cos(inner)),
                                        .cosOuter = static_cast<float>(std::cos(outer)),
-                                       .power = static_cast<float>(2 * kPi * (1 - std::cos(outer))) * luminance(intensity),
+                                       .power = 2 * kPi * (1 - std::cos(outer)) * static_cast<double>(luminance(intensity)),
                                        .group = group});
     }
     void addLight(const SunLight& light, std::uint8_t group) { addSun(light.direction, toRgb(light.irradiance), light.angleDegrees, group); }
@@ -253,7 +269,7 @@ class Compiler {
                                        .direction = -glm::normalize(direction),
                                        .emission = sin2 > 0 ? irradiance * static_cast<float>(1 / (kPi * sin2)) : irradiance,
                                        .sin2Angle = sin2,
-                                       .power = luminance(irradiance) * skyArea(),
+                                       .power = static_cast<double>(luminance(irradiance)) * skyArea(),
                                        .group = group});
     }
 
@@ -288,7 +304,7 @@ class Compiler {
         out.map = reusedMap(image);
         out_->lights.environmentLight = static_cast<std::uint32_t>(out_->lights.lights.size());
         out_->lights.lights.push_back(
-            {.kind = LightKind::Environment, .power = kPiF * luminance(out.scale * out.map->meanRadiance()) * skyArea(), .group = out.group});
+            {.kind = LightKind::Environment, .power = kPi * static_cast<double>(luminance(out.scale * out.map->meanRadiance())) * skyArea(), .group = out.group});
     }
 
     /// The previous scene's map where it was made from the same picture.
@@ -300,14 +316,14 @@ class Compiler {
     }
 
     /// Area of a disc around the finite scene: what light from infinitely far falls on.
-    [[nodiscard]] float skyArea() const {
+    [[nodiscard]] double skyArea() const {
         double radius2 = 0;
         for (const ShapeInstance& shape : out_->shapes) {
             if (std::holds_alternative<CanonicalPlane>(shape.shape)) continue;
             const DVec3 reach = glm::abs(shape.center) + glm::abs(shape.worldFromLocal[0]) + glm::abs(shape.worldFromLocal[1]) + glm::abs(shape.worldFromLocal[2]);
             radius2 = std::max(radius2, glm::dot(reach, reach));
         }
-        return static_cast<float>(kPi * (radius2 > 0 ? radius2 : 1.0));
+        return kPi * (radius2 > 0 ? radius2 : 1.0);
     }
 
     void findCameraMedia() {

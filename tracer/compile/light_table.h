@@ -22,7 +22,7 @@ struct CompiledLight {
     double sin2Angle = 0;       ///< Sun: sin^2 of half the disc's angle; 0: a single direction
     std::uint32_t shape = kNoShape;  ///< Area
     bool twoSided = false;      ///< Area
-    float power = 0;            ///< for choosing among lights; W up to a common factor
+    double power = 0;           ///< for choosing among lights; W up to a common factor
     std::uint8_t group = 0;     ///< whose sum its light goes to, see scene/light_groups.h
 
     /// Sun: the unit vector `towards` meets the disc.

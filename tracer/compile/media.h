@@ -10,7 +10,7 @@ namespace glint {
 /// A small set of shape instances in the order of entry. Deeper nesting than kCapacity drops the oldest.
 class MediaStack {
   public:
-    static constexpr int kCapacity = 8;
+    static constexpr int kCapacity = 16;
 
     [[nodiscard]] bool empty() const { return count_ == 0; }
     [[nodiscard]] int size() const { return count_; }

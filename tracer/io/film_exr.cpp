@@ -7,12 +7,11 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <openexr.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
 
 #include "tracer/io/atomic_file.h"
@@ -131,46 +130,26 @@ ExrFile readPixels(Imf::InputFile& input) {
     return out;
 }
 
+/// In pixels; larger pictures are refused by their header.
+constexpr int kLongestSide = 1 << 20;
+
 /// Lets the library refuse absurd headers before it makes tables for them. A setting of the whole
 /// program: made once.
 void limitImageSize() {
-    constexpr int kLongestSide = 1 << 20;
     static const bool done = (Imf::Header::setMaxImageSize(kLongestSide, kLongestSide), true);
     static_cast<void>(done);
 }
 
-/// Refuses a header one of whose attributes claims more bytes than the file has: the library makes
-/// room for them before it looks. Whatever else is wrong with the header is left for the library to
-/// say.
-void checkAttributeSizes(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    const auto fileSize = static_cast<std::int64_t>(std::filesystem::file_size(path));
-    constexpr std::int64_t kMagicAndVersion = 8;
-    constexpr std::uint32_t kMultiPart = 1u << 12;
-    std::array<char, kMagicAndVersion> start{};
-    if (!file.read(start.data(), kMagicAndVersion)) return;
-    std::uint32_t version = 0;
-    std::memcpy(&version, start.data() + 4, sizeof version);
-    const auto text = [&](std::string& out) {
-        return static_cast<bool>(std::getline(file, out, '\0'));
-    };
-    std::string name, type;
-    bool inHeader = false;
-    while (text(name)) {
-        if (name.empty()) {  // Ends a header; the list of those of a multi-part file ends with an
-                             // empty one.
-            if ((version & kMultiPart) == 0 || !inHeader) return;
-            inHeader = false;
-            continue;
-        }
-        inHeader = true;
-        std::int32_t size = 0;
-        if (!text(type) || !file.read(reinterpret_cast<char*>(&size), sizeof size)) return;
-        if (size < 0 || size > fileSize - file.tellg())
-            throw std::runtime_error("attribute " + name.substr(0, 64) +
-                                     " is longer than the file");
-        file.seekg(size, std::ios::cur);
-    }
+/// Has the library's core, which holds every size in the header against that of the file, look at
+/// it first: the rest of the library makes room for whatever an attribute claims to be long.
+void checkHeader(const std::filesystem::path& path) {
+    exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    settings.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
+    settings.max_image_width = settings.max_image_height = kLongestSide;
+    exr_context_t file = nullptr;
+    const exr_result_t result = exr_start_read(&file, path.c_str(), &settings);
+    exr_finish(&file);
+    if (result != EXR_ERR_SUCCESS) throw std::runtime_error(exr_get_default_error_message(result));
 }
 
 Error exrError(const std::filesystem::path& path, const std::string& what, const std::string& why,
@@ -203,7 +182,7 @@ Result<ExrFile> loadExr(const std::filesystem::path& path) {
         return exrError(path, "cannot be read", "no such file", "check the path");
     try {
         limitImageSize();
-        checkAttributeSizes(path);
+        checkHeader(path);
         Imf::InputFile input(path.c_str(), 0);
         return readPixels(input);
     } catch (const std::exception& problem) {

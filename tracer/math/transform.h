@@ -27,7 +27,8 @@ struct Affine {
     const double det = glm::determinant(a.linear);
     const double lengths = glm::length(a.linear[0]) * glm::length(a.linear[1]) * glm::length(a.linear[2]);
     if (!std::isfinite(det) || !isFinite(a.translation) || !(std::abs(det) > 1e-13 * lengths)) return std::nullopt;
-    const DMat3 inv = glm::inverse(a.linear);
+    // By cofactors, which lose the digits that the determinant does; those of long double are spare.
+    const DMat3 inv(glm::inverse(glm::mat<3, 3, long double>(a.linear)));
     if (!isFinite(inv[0]) || !isFinite(inv[1]) || !isFinite(inv[2])) return std::nullopt;
     return Affine{inv, -(inv * a.translation)};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <thread>
 
 #include "tracer/render/scheduler.h"
@@ -11,6 +12,15 @@ namespace glint {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Bytes that the system can give without swapping; nothing where it does not say.
+std::optional<double> freeMemory() {
+    std::ifstream file("/proc/meminfo");
+    std::string name, unit;
+    for (double kibibytes = 0; file >> name >> kibibytes; std::getline(file, unit))
+        if (name == "MemAvailable:") return 1024 * kibibytes;
+    return std::nullopt;
+}
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -147,6 +157,20 @@ class HeadlessRender {
 };
 
 }  // namespace
+
+std::optional<Error> memoryProblem(const RenderScene& scene, bool layers) {
+    // The film, the picture made of it, and its planes or bytes for the file.
+    constexpr double kBytesAPixel = sizeof(FilmPixel) + 2 * 3 * sizeof(float), kBytesOfLayers = 300;
+    const double pixels = static_cast<double>(scene.film.width) * scene.film.height,
+                 needed = pixels * (kBytesAPixel + (layers ? kBytesOfLayers : 0));
+    const auto free = freeMemory();
+    if (!free || needed <= *free) return std::nullopt;
+    const auto gigabytes = [](double bytes) { return std::to_string(static_cast<std::int64_t>(std::ceil(bytes / 1e9))) + " GB"; };
+    return Error{.message = "a picture of " + std::to_string(scene.film.width) + " x " + std::to_string(scene.film.height) +
+                            " pixels needs " + gigabytes(needed) + " of memory; " + gigabytes(*free) + " are free",
+                 .pointer = "/film",
+                 .remedy = layers ? "render it smaller, or without layers" : "render it smaller"};
+}
 
 Rendering render(const std::shared_ptr<const RenderScene>& scene, const RenderRequest& request) {
     return HeadlessRender(*scene, request).run();

@@ -80,6 +80,10 @@ struct Rendering {
     bool interrupted = false;
 };
 
+/// Why this machine cannot render the picture: it needs more memory than is free. Asked before rendering, for a system that
+/// runs out of memory ends programs without a word.
+[[nodiscard]] std::optional<Error> memoryProblem(const RenderScene& scene, bool layers);
+
 /// Renders until the scene's own stop rule (samples, time, error) is met. Bit-identical for every number of threads.
 [[nodiscard]] Rendering render(const std::shared_ptr<const RenderScene>& scene, const RenderRequest& request);
 

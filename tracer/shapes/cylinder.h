@@ -102,8 +102,9 @@ struct CanonicalCylinder {
         const double fx = o.x + tc * d.x, fz = o.z + tc * d.z;
         const double discriminant = 1 - (fx * fx + fz * fz);
         if (!(discriminant >= 0)) return {};
-        const double q = b + std::copysign(std::sqrt(a * discriminant), b);
-        const double far = q / a, near = q == 0 ? far : c / q;
+        const double root = std::copysign(std::sqrt(a * discriminant), b), q = b + root,
+                     far = q / a;
+        const double near = b * b > a ? c / q : (b - root) / a;  // As in CanonicalSphere.
         return {std::min(near, far), std::max(near, far)};
     }
 };

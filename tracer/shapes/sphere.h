@@ -18,8 +18,12 @@ struct CanonicalSphere {
         const DVec3 f = o + (b / a) * d;
         const double discriminant = 1 - glm::dot(f, f);
         if (!(discriminant >= 0)) return {};
-        const double q = b + std::copysign(std::sqrt(a * discriminant), b);
-        const double far = q / a, near = q == 0 ? far : c / q;
+        const double root = std::copysign(std::sqrt(a * discriminant), b), q = b + root,
+                     far = q / a;
+        // c / q keeps the digits of distant balls; within a radius of the line's middle it has none
+        // where c and q are both near 0, on the surface along a tangent, and the difference has
+        // them all.
+        const double near = b * b > a ? c / q : (b - root) / a;
         return near < far ? Span{near, far} : Span{far, near};
     }
     [[nodiscard]] Crossing first(const DVec3& o, const DVec3& d, Start start) const {
