@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tracer/compile/quad_light.h"
+
 namespace glint {
 
 namespace {
@@ -12,6 +14,43 @@ double solidAngleScale(const ShapeInstance& shape, const DVec3& wi) {
     return std::abs(glm::determinant(shape.localFromWorld)) / (length * length * length);
 }
 
+/// Of a shape that is a ball in render space; 0 for any other. A dielectric's boundary is met by the media's rules.
+double ballRadius(const ShapeInstance& shape) {
+    if (!std::holds_alternative<CanonicalSphere>(shape.shape) || shape.dielectric) return 0;
+    const DMat3& m = shape.worldFromLocal;
+    const double r2 = glm::dot(m[0], m[0]);
+    const auto near = [r2](double x, double y) { return std::abs(x - y) <= 4e-16 * r2; };
+    const bool isBall = near(glm::dot(m[1], m[1]), r2) && near(glm::dot(m[2], m[2]), r2) && near(glm::dot(m[0], m[1]), 0) &&
+                        near(glm::dot(m[0], m[2]), 0) && near(glm::dot(m[1], m[2]), 0);
+    return isBall ? std::sqrt(r2) : 0;
+}
+
+/// A ray that starts on the ball meets it again only on its way through. The density is that of sphereDirectionPdf() at the same
+/// place, whichever side of the surface rounding has put it on.
+LightSample sampleBall(const CompiledLight& light, const ShapeInstance& ball, double radius, const Ray& from, const DVec2& u) {
+    const DVec3 toCenter = ball.center - from.origin;
+    const double r2 = radius * radius;
+    const bool onIt = from.fromShape == light.shape, inside = onIt || glm::dot(toCenter, toCenter) <= r2;
+    if (inside && !light.twoSided) return {};
+    const DirectionSample s = sampleSphereDirection(toCenter, radius, u);
+    const double along = glm::dot(toCenter, s.direction);
+    const DVec3 across = toCenter - along * s.direction;
+    const double half = std::sqrt(std::max(0.0, r2 - glm::dot(across, across)));
+    const double distance = onIt ? 2 * along : inside ? along + half : along - half;
+    if (!(distance > 0)) return {};
+    return {s.direction, distance, light.emission, s.pdf, light.shape};
+}
+
+LightSample sampleRectangle(const CompiledLight& light, const ShapeInstance& shape, const Ray& from, const DVec2& u) {
+    if (from.fromShape == light.shape) return {};
+    const QuadLight quad(shape, from.origin);
+    if (!light.twoSided && !quad.seenFromFront()) return {};
+    const QuadLight::Sample s = quad.sample(u);
+    if (!(s.pdf > 0)) return {};
+    return {s.direction, s.distance, light.emission, s.pdf, light.shape};
+}
+
+/// Any shape, in its local space.
 LightSample sampleArea(const CompiledLight& light, const ShapeInstance& shape, const Ray& from, const MediaStack& media,
                        const DVec2& u) {
     const DVec3 localOrigin = shape.localPoint(from.origin);
@@ -85,7 +124,12 @@ LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstanc
             const DirectionSample s = uniformCone(light.direction, light.sin2Angle, u);
             return {s.direction, kInfinity, light.emission, s.pdf};
         }
-        case LightKind::Area: return sampleArea(light, shapes[light.shape], from, media, u);
+        case LightKind::Area: {
+            const ShapeInstance& shape = shapes[light.shape];
+            if (const double radius = ballRadius(shape); radius > 0) return sampleBall(light, shape, radius, from, u);
+            if (isRectangle(shape)) return sampleRectangle(light, shape, from, u);
+            return sampleArea(light, shape, from, media, u);
+        }
         case LightKind::Environment: {
             const CompiledEnvironment& environment = lights.environment;
             const EnvironmentSample s = environment.map->sample(Vec2(u));
@@ -107,6 +151,8 @@ double lightPdf(const LightTable& lights, const std::vector<ShapeInstance>& shap
         case LightKind::Area: break;
     }
     const ShapeInstance& shape = shapes[light.shape];
+    if (const double radius = ballRadius(shape); radius > 0) return sphereDirectionPdf(shape.center - from, radius);
+    if (isRectangle(shape)) return QuadLight(shape, from).pdf(wi);
     const double local = std::visit(
         [&](const auto& canonical) {
             return canonical.pdfDirection(shape.localPoint(from), glm::normalize(shape.localVector(wi)));

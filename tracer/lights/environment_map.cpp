@@ -37,9 +37,20 @@ Band bandOf(int band, int height) {
 struct SineMoments {
     double zeroth, first, sinEnd, cosEnd;
 };
+/// Lengths up to kShortArc, nearly all of them, take the first terms of the series, which leave off
+/// below 2e-16.
+constexpr double kShortArc = 0.05;
 SineMoments sineMoments(double sinStart, double cosStart, double length) {
-    const double sine = std::sin(length), cosine = std::cos(length);
-    const double versine = sine * sine / (1 + cosine);
+    double sine, versine;
+    if (length <= kShortArc) {
+        const double x2 = length * length;
+        sine = length * (1 - x2 / 6 * (1 - x2 / 20 * (1 - x2 / 42)));
+        versine = x2 / 2 * (1 - x2 / 12 * (1 - x2 / 30 * (1 - x2 / 56)));
+    } else {
+        sine = std::sin(length);
+        versine = sine * sine / (1 + std::cos(length));
+    }
+    const double cosine = 1 - versine;
     return {cosStart * versine + sinStart * sine,
             sinStart * (length * sine - versine) + cosStart * (sine - length * cosine),
             sinStart * cosine + cosStart * sine, cosStart * cosine - sinStart * sine};
@@ -67,15 +78,15 @@ double invertLinear(double u, double a, double b) {
 /// start reaches `share` of `mass`, its value for the whole band. Halley's method from the solution
 /// for a linear density: two or three steps; error 1e-12, or 1e-4 within that much of a place where
 /// the density is zero.
-double invertBand(const Band& band, double upper, double lower, double share, double mass) {
+double invertBand(const Band& band, double sinStart, double cosStart, double upper, double lower,
+                  double share, double mass) {
     constexpr int kMaxSteps = 60;
     constexpr double kTolerance =
         1e-4;  // Of the band. Convergence is cubic: after such a step the error is 1e-12.
-    const double sinStart = std::sin(band.start), cosStart = std::cos(band.start);
     const double slope = (lower - upper) / band.width, target = share * mass;
     double low = 0, high = band.width;
-    double s = band.width *
-               invertLinear(share, upper * sinStart, lower * std::sin(band.start + band.width));
+    const double sinEnd = std::max(0.0, sineMoments(sinStart, cosStart, band.width).sinEnd);
+    double s = band.width * invertLinear(share, upper * sinStart, lower * sinEnd);
     for (int step = 0; step < kMaxSteps; ++step) {
         const SineMoments m = sineMoments(sinStart, cosStart, s);
         const double error = upper * m.zeroth + slope * m.first - target;
@@ -92,11 +103,6 @@ double invertBand(const Band& band, double upper, double lower, double share, do
         if (moved <= kTolerance * band.width) break;
     }
     return s / band.width;
-}
-
-DVec3 directionOf(double theta, double phi) {
-    const double r = std::sin(theta);
-    return {r * std::sin(phi), std::cos(theta), -r * std::cos(phi)};
 }
 
 }  // namespace
@@ -259,13 +265,16 @@ EnvironmentSample EnvironmentMap::sample(const Vec2& u) const {
     const Band band = bandOf(index, image_->height);
     const double mass = *after - *(after - 1),
                  share = std::clamp((target - *(after - 1)) / mass, 0.0, 1.0);
-    const double fy =
-        invertBand(band, rowIntegral(band.upper), rowIntegral(band.lower), share, mass);
+    const double sinStart = std::sin(band.start), cosStart = std::cos(band.start);
+    const double fy = invertBand(band, sinStart, cosStart, rowIntegral(band.upper),
+                                 rowIntegral(band.lower), share, mass);
     const Column column = sampleColumn(static_cast<double>(u.x), band.upper, band.lower, fy);
 
     EnvironmentSample out;
     const double turn = (column.x0 + 0.5 + column.fx) / image_->width - 0.5;
-    out.direction = directionOf(band.start + fy * band.width, 2 * kPi * turn);
+    const SineMoments theta = sineMoments(sinStart, cosStart, fy * band.width);
+    const DVec2 phi = cosSinTurn(turn);
+    out.direction = {theta.sinEnd * phi.y, theta.cosEnd, -theta.sinEnd * phi.x};
     out.pdf = column.weight * pdfPerWeight_;
     out.radiance = radianceAt({column.x0, column.x1, band.upper, band.lower, column.fx, fy});
     return out;
