@@ -14,6 +14,20 @@ void takeScreenshotLater(QWidget* window, const QString& file, int milliseconds)
     QTimer::singleShot(milliseconds, window, [window, file] { QCoreApplication::exit(window->grab().save(file) ? 0 : 3); });
 }
 
+/// Theme and language of a screenshot; nothing of it is kept.
+void dress(glint::MainWindow& window, bool light, const QString& language) {
+    glint::PreferenceValues values = window.preferences().values();
+    values.theme = light ? glint::Theme::Light : glint::Theme::Dark;
+    values.language = language == "zh" ? glint::Language::Chinese : glint::Language::English;
+    window.preferences().set(values);
+}
+
+void selectByName(glint::MainWindow& window, const QString& name) {
+    window.document().scene().objects.forEach([&](glint::ObjectId id, const glint::Object& object) {
+        if (glint::toQString(object.name) == name) window.selection().set({glint::Item::of(id)});
+    });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -27,8 +41,9 @@ int main(int argc, char** argv) {
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument("scene", QApplication::translate("main", "Scene file to open."), "[scene]");
-    QCommandLineOption screenshot("screenshot", {}, "file"), after("after", {}, "ms", "2000"), size("size", {}, "WxH");
-    for (QCommandLineOption* option : {&screenshot, &after, &size}) {
+    QCommandLineOption screenshot("screenshot", {}, "file"), after("after", {}, "ms", "2000"), size("size", {}, "WxH"),
+        light("light"), language("language", {}, "code"), select("select", {}, "name");
+    for (QCommandLineOption* option : {&screenshot, &after, &size, &light, &language, &select}) {
         option->setFlags(QCommandLineOption::HiddenFromHelp);
         parser.addOption(*option);
     }
@@ -36,12 +51,15 @@ int main(int argc, char** argv) {
 
     const bool visit = parser.isSet(screenshot);
     glint::MainWindow window(visit ? glint::Memory::None : glint::Memory::Settings);
+    if (visit) dress(window, parser.isSet(light), parser.value(language));
     const QStringList wanted = parser.value(size).split('x');
     if (wanted.size() == 2) window.resize(wanted[0].toInt(), wanted[1].toInt());
     else if (visit || window.width() < 900) window.resize(1440, 900);
     if (!parser.positionalArguments().isEmpty()) window.files().load(glint::toPath(parser.positionalArguments().first()));
     else if (window.preferences().values().startPage) window.showStartPage();
     window.show();
+    const QString selected = parser.value(select);
+    if (!selected.isEmpty()) QObject::connect(&window.document(), &glint::Document::replaced, &window, [&window, selected] { selectByName(window, selected); });
     if (visit) takeScreenshotLater(&window, parser.value(screenshot), parser.value(after).toInt());
     return QApplication::exec();
 }

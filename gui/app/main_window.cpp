@@ -100,6 +100,7 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
 
 void MainWindow::buildInterface() {
     actions_ = new Actions(this, memory_);
+    view_->setAccessibleName(RenderView::tr("Picture"));
     search_ = new CommandSearch(*actions_, this);
     status_ = new StatusLine(this);
     statusBar()->addWidget(status_, 1);

@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QStandardPaths>
+#include <QThreadPool>
 #include <QtConcurrent>
 #include <optional>
 
@@ -64,7 +65,9 @@ void SceneThumbnails::onReady(const QString& key, const QImage& picture) {
     if (!finished) return;
     files_.erase(found);
     if (memory_ == Memory::None) return;
-    QtConcurrent::run([key, picture] { return QDir().mkpath(cacheFolder()) && picture.save(cacheFile(key)); });
+    QThreadPool::globalInstance()->start([key, picture] {
+        if (QDir().mkpath(cacheFolder())) picture.save(cacheFile(key));
+    });
 }
 
 }  // namespace glint

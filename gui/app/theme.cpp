@@ -10,14 +10,14 @@ namespace glint {
 namespace {
 
 struct Greys {
-    QColor window, base, raised, line, text, dimmed, accent, accentText;
+    QColor window, base, raised, line, edge, text, dimmed, accent, accentText;
 };
 
 Greys greysOf(Theme theme) {
     if (theme == Theme::Dark)
-        return {QColor(48, 48, 48), QColor(36, 36, 36), QColor(64, 64, 64),   QColor(28, 28, 28),
+        return {QColor(48, 48, 48), QColor(36, 36, 36), QColor(64, 64, 64), QColor(28, 28, 28), QColor(112, 112, 112),
                 QColor(222, 222, 222), QColor(128, 128, 128), QColor(70, 122, 188), QColor(255, 255, 255)};
-    return {QColor(226, 226, 226), QColor(246, 246, 246), QColor(238, 238, 238), QColor(178, 178, 178),
+    return {QColor(226, 226, 226), QColor(246, 246, 246), QColor(238, 238, 238), QColor(178, 178, 178), QColor(140, 140, 140),
             QColor(24, 24, 24), QColor(130, 130, 130), QColor(48, 108, 184), QColor(255, 255, 255)};
 }
 
@@ -75,6 +75,13 @@ QFrame#messageBar[level="warning"] { background: #6b5320; }
 QFrame#messageBar[level="error"] { background: #6e2f2b; }
 QFrame#messageBar[level="warning"] QLabel, QFrame#messageBar[level="error"] QLabel { color: #ffffff; }
 QTabBar::tab { padding: 4px 10px; }
+QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @edge; border-radius: 3px; background: @base; }
+QCheckBox::indicator:hover { border-color: @accent; }
+QCheckBox::indicator:focus { border-color: @accent; }
+QCheckBox::indicator:checked { background: @accent; border-color: @accent; image: url(:/icons/check.svg); }
+QCheckBox::indicator:indeterminate { background: @edge; image: url(:/icons/dash.svg); }
+QFrame#startPage { background: @window; }
+QFrame#startPage QListWidget { background: transparent; border: none; }
 )";
 
 }  // namespace
@@ -86,7 +93,7 @@ void applyTheme(Theme theme) {
     QApplication::setPalette(paletteOf(greys));
     QString sheet = QString::fromLatin1(kSheet);
     const std::pair<const char*, QColor> names[] = {{"@window", greys.window}, {"@base", greys.base}, {"@raised", greys.raised},
-                                                    {"@line", greys.line},     {"@text", greys.text}, {"@accent", greys.accent}};
+                                                    {"@line", greys.line},     {"@edge", greys.edge}, {"@text", greys.text}, {"@accent", greys.accent}};
     for (const auto& [name, color] : names) sheet.replace(QLatin1String(name), color.name());
     qApp->setStyleSheet(sheet);
 }

@@ -9,6 +9,7 @@
 #include "gui/app/material_previews.h"
 #include "gui/panels/item_forms.h"
 #include "gui/widgets/preview_ball.h"
+#include "gui/widgets/section.h"
 
 namespace glint {
 
@@ -84,8 +85,10 @@ void PropertyPanel::addForm(QWidget* content, std::vector<std::uint32_t> targets
 }
 
 void PropertyPanel::addMaterials(QWidget* content, const std::vector<std::uint32_t>& materials) {
-    if (previews_ && materials.size() == 1) content->layout()->addWidget(new PreviewBall(*previews_, MaterialId{materials.front()}, content));
+    const int head = content->layout()->count();
     addForm(content, materials, buildMaterialForm);
+    if (previews_ && materials.size() == 1)
+        static_cast<Section*>(content->layout()->itemAt(head)->widget())->addHead(new PreviewBall(*previews_, MaterialId{materials.front()}, content));
     addForm(content, texturesOf(document_.scene(), materials), buildTextureForm);
 }
 

@@ -28,7 +28,6 @@ RenderView::RenderView(Document& document, Selection& selection, Renderer& rende
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMinimumSize(fontMetrics().averageCharWidth() * 24, fontMetrics().height() * 8);
-    setAccessibleName(tr("Picture"));
     wheelTimer_.setSingleShot(true);
     wheelTimer_.setInterval(kWheelPauseMs);
     const auto repaint = qOverload<>(&QWidget::update);

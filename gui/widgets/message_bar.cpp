@@ -1,5 +1,6 @@
 #include "gui/widgets/message_bar.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -21,12 +22,11 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     progress_->setMaximumWidth(fontMetrics().averageCharWidth() * 30);
     progress_->setTextVisible(false);
     choices_ = new QHBoxLayout;
-    auto* close = new QToolButton(this);
-    close->setIcon(icon("close"));
-    close->setAutoRaise(true);
-    close->setToolTip(tr("Dismiss"));
-    close->setAccessibleName(close->toolTip());
-    connect(close, &QToolButton::clicked, this, &MessageBar::dismiss);
+    close_ = new QToolButton(this);
+    close_->setIcon(icon("close"));
+    close_->setAutoRaise(true);
+    retranslate();
+    connect(close_, &QToolButton::clicked, this, &MessageBar::dismiss);
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 4, 4);
@@ -34,8 +34,18 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
     layout->addWidget(label_, 1);
     layout->addWidget(progress_);
     layout->addLayout(choices_);
-    layout->addWidget(close);
+    layout->addWidget(close_);
     hide();
+}
+
+void MessageBar::retranslate() {
+    close_->setToolTip(tr("Dismiss"));
+    close_->setAccessibleName(close_->toolTip());
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) retranslate();
 }
 
 void MessageBar::show(Level level, const QString& text, const QString& details, std::vector<Choice> choices) {

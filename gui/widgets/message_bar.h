@@ -8,6 +8,7 @@
 class QHBoxLayout;
 class QLabel;
 class QProgressBar;
+class QToolButton;
 
 namespace glint {
 
@@ -34,10 +35,15 @@ class MessageBar : public QFrame {
     /// A message came up (progress does not count).
     void shown(glint::MessageBar::Level level, const QString& text, const QString& details);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
+    void retranslate();
     void setChoices(std::vector<Choice> choices);
 
     QLabel* icon_;
+    QToolButton* close_;
     QLabel* label_;
     QProgressBar* progress_;
     QHBoxLayout* choices_;

@@ -37,6 +37,7 @@ Section::Section(const QString& title, QWidget* parent) : QWidget(parent) {
 
 void Section::addRow(QWidget* label, QWidget* editor) { form_->addRow(label, editor); }
 void Section::addWide(QWidget* editor) { form_->addRow(editor); }
+void Section::addHead(QWidget* widget) { form_->insertRow(0, widget); }
 QString Section::title() const { return header_->text(); }
 
 }  // namespace glint

@@ -18,6 +18,8 @@ class Section : public QWidget {
     /// A row of label and editor; without a label the editor takes the whole width.
     void addRow(QWidget* label, QWidget* editor);
     void addWide(QWidget* editor);
+    /// Above the rows that are there.
+    void addHead(QWidget* widget);
     [[nodiscard]] QString title() const;
 
   private:
