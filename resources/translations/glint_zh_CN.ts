@@ -21,6 +21,57 @@
     </message>
 </context>
 <context>
+    <name>ExportPanel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 分 %2 秒</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>第 %1 帧，共 %2 帧</translation>
+    </message>
+    <message>
+        <source>%1 spp</source>
+        <translation>%1 采样</translation>
+    </message>
+    <message>
+        <source>± %1 %</source>
+        <translation>± %1 %</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>剩余 %1</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>等待中</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>正在启动</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>canceled</source>
+        <translation>已取消</translation>
+    </message>
+</context>
+<context>
     <name>Field</name>
     <message>
         <source>Type</source>
@@ -1261,16 +1312,8 @@
         <translation>复制(&amp;C)</translation>
     </message>
     <message>
-        <source>Copy the selected objects as text</source>
-        <translation>把所选对象复制为文本</translation>
-    </message>
-    <message>
         <source>&amp;Paste</source>
         <translation>粘贴(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Add the objects on the clipboard</source>
-        <translation>添加剪贴板中的对象</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
@@ -1600,6 +1643,14 @@
         <source>Window and help</source>
         <translation>窗口与帮助</translation>
     </message>
+    <message>
+        <source>Copy the selection as text; the picture if nothing is selected</source>
+        <translation>把所选复制为文本；未选择时复制画面</translation>
+    </message>
+    <message>
+        <source>Add what is on the clipboard</source>
+        <translation>添加剪贴板中的内容</translation>
+    </message>
 </context>
 <context>
     <name>glint::ColorPopup</name>
@@ -1883,10 +1934,6 @@ In the picture: Shift, then drag with the right button</source>
         <translation>导出图片</translation>
     </message>
     <message>
-        <source>The ending chooses the format: %1</source>
-        <translation>扩展名决定格式：%1</translation>
-    </message>
-    <message>
         <source>Browse…</source>
         <translation>浏览…</translation>
     </message>
@@ -1903,10 +1950,6 @@ In the picture: Shift, then drag with the right button</source>
         <translation>高度</translation>
     </message>
     <message>
-        <source>Samples a pixel</source>
-        <translation>每像素采样</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>导出</translation>
     </message>
@@ -1914,31 +1957,186 @@ In the picture: Shift, then drag with the right button</source>
         <source>Pictures (%1)</source>
         <translation>图片 (%1)</translation>
     </message>
-</context>
-<context>
-    <name>glint::ExportQueue</name>
     <message>
-        <source>Exporting %1</source>
-        <translation>正在导出 %1</translation>
+        <source>The ending chooses the format</source>
+        <translation>扩展名决定格式</translation>
     </message>
     <message>
-        <source> · %1 spp</source>
-        <translation> · %1 采样</translation>
+        <source>Format</source>
+        <translation>格式</translation>
     </message>
     <message>
-        <source> · %1 s left</source>
-        <translation> · 剩余 %1 秒</translation>
+        <source>PNG, for the screen</source>
+        <translation>PNG，用于屏幕</translation>
+    </message>
+    <message>
+        <source>JPEG, small</source>
+        <translation>JPEG，较小</translation>
+    </message>
+    <message>
+        <source>TIFF, for the screen</source>
+        <translation>TIFF，用于屏幕</translation>
+    </message>
+    <message>
+        <source>OpenEXR, linear light</source>
+        <translation>OpenEXR，线性光</translation>
+    </message>
+    <message>
+        <source>Radiance HDR, linear light</source>
+        <translation>Radiance HDR，线性光</translation>
+    </message>
+    <message>
+        <source>Bits a channel</source>
+        <translation>每通道位数</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>As the scene says, %1</source>
+        <translation>按场景设置，%1</translation>
+    </message>
+    <message>
+        <source>Keep the ratio of width and height</source>
+        <translation>保持宽高比</translation>
+    </message>
+    <message>
+        <source>Percent of that size</source>
+        <translation>该尺寸的百分比</translation>
+    </message>
+    <message>
+        <source>Samples a pixel to stop at</source>
+        <translation>达到此每像素采样数时停止</translation>
+    </message>
+    <message>
+        <source>Time to stop at; 0 is no limit</source>
+        <translation>达到此时间时停止；0 表示不限</translation>
+    </message>
+    <message>
+        <source>Error of the picture to stop at; 0 is no limit</source>
+        <translation>达到此误差时停止；0 表示不限</translation>
+    </message>
+    <message>
+        <source>Stop at</source>
+        <translation>停止条件</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>透明背景</translation>
+    </message>
+    <message>
+        <source>An alpha channel instead of the environment behind the objects</source>
+        <translation>用 Alpha 通道代替对象后面的环境</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>Light by kind, albedo, normal, depth, position, ids, sample count and error beside the picture</source>
+        <translation>在画面之外附带分类光照、反照率、法线、深度、位置、编号、采样数和误差</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Left edge</source>
+        <translation>左边缘</translation>
+    </message>
+    <message>
+        <source>Upper edge</source>
+        <translation>上边缘</translation>
+    </message>
+    <message>
+        <source>Width of the part</source>
+        <translation>区域宽度</translation>
+    </message>
+    <message>
+        <source>Height of the part</source>
+        <translation>区域高度</translation>
+    </message>
+    <message>
+        <source>Only a part</source>
+        <translation>仅一部分</translation>
+    </message>
+    <message>
+        <source>Number of pictures</source>
+        <translation>图片数量</translation>
+    </message>
+    <message>
+        <source>Turn over all pictures</source>
+        <translation>全部图片的总转角</translation>
+    </message>
+    <message>
+        <source>Axis to turn about, through the camera&apos;s target</source>
+        <translation>旋转轴，经过相机目标点</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>转台</translation>
+    </message>
+    <message>
+        <source>%1 bits</source>
+        <translation>%1 位</translation>
+    </message>
+    <message>
+        <source>The part reaches out of the picture of %1 pixels</source>
+        <translation>该区域超出 %1 像素的画面</translation>
+    </message>
+    <message>
+        <source>There is no folder %1</source>
+        <translation>没有文件夹 %1</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 像素</translation>
     </message>
     <message numerus="yes">
-        <source> · %n more waiting</source>
+        <source> · %n picture(s): %1 …</source>
         <translation>
-            <numerusform> · 还有 %n 个等待</numerusform>
+            <numerusform> · %n 张图片：%1 …</numerusform>
         </translation>
+    </message>
+    <message>
+        <source> · replaces the file that is there</source>
+        <translation> · 替换已有文件</translation>
+    </message>
+</context>
+<context>
+    <name>glint::ExportPanel</name>
+    <message>
+        <source>Exports</source>
+        <translation>导出队列</translation>
+    </message>
+    <message>
+        <source>No exports. F12 renders the picture to a file.</source>
+        <translation>没有导出任务。按 F12 把画面渲染到文件。</translation>
+    </message>
+    <message>
+        <source>Take finished exports off the list</source>
+        <translation>从列表中移除已完成的导出</translation>
+    </message>
+    <message>
+        <source>Pause, or go on</source>
+        <translation>暂停或继续</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
+</context>
+<context>
+    <name>glint::ExportQueue</name>
     <message>
         <source>Not exported: %1</source>
         <translation>未导出：%1</translation>
@@ -1954,6 +2152,10 @@ In the picture: Shift, then drag with the right button</source>
     <message>
         <source>Show</source>
         <translation>显示</translation>
+    </message>
+    <message>
+        <source>Exported %1 pictures %2</source>
+        <translation>已导出 %1 张图片 %2</translation>
     </message>
 </context>
 <context>
@@ -2129,6 +2331,62 @@ MIT 许可证。</translation>
     <message>
         <source>Camera</source>
         <translation>相机</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>导出队列</translation>
+    </message>
+    <message>
+        <source>Ca&amp;meras</source>
+        <translation>相机(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ved views</source>
+        <translation>已存视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Go to view %1</source>
+        <translation>前往视图 %1</translation>
+    </message>
+    <message>
+        <source>Store as view %1</source>
+        <translation>存为视图 %1</translation>
+    </message>
+    <message>
+        <source>Reloaded %1</source>
+        <translation>已重新载入 %1</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program</source>
+        <translation>%1 已被其他程序修改</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>重新载入</translation>
+    </message>
+    <message>
+        <source>Unsaved work cannot be kept safe: %1</source>
+        <translation>无法保护未保存的工作：%1</translation>
+    </message>
+    <message>
+        <source>an untitled scene</source>
+        <translation>未命名场景</translation>
+    </message>
+    <message>
+        <source>Not recovered: %1</source>
+        <translation>未恢复：%1</translation>
+    </message>
+    <message>
+        <source>Glint ended with unsaved changes to %1, kept at %2.</source>
+        <translation>Glint 结束时 %1 有未保存的更改，已保存于 %2。</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>丢弃</translation>
     </message>
 </context>
 <context>
@@ -2728,12 +2986,6 @@ Click an object in the picture or in the list.</source>
         <translation>预览</translation>
     </message>
     <message>
-        <source>Kernel: %1
-The scene holds: %2</source>
-        <translation>内核：%1
-场景包含：%2</translation>
-    </message>
-    <message>
         <source>What the picture cannot show as the scene asks</source>
         <translation>画面无法按场景要求显示的内容</translation>
     </message>
@@ -2768,6 +3020,14 @@ The scene holds: %2</source>
         <translation>
             <numerusform>%n 条警告</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Kernel: %1
+The scene holds: %2
+Left out: %3</source>
+        <translation>内核：%1
+场景包含：%2
+未用：%3</translation>
     </message>
 </context>
 <context>
