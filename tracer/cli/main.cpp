@@ -165,7 +165,7 @@ ExitCode run(const Options& options) {
     if (!compiled) return fail(compiled.error(), ExitCode::Scene);
     if (reportWarnings(compiled.value())) return ExitCode::Scene;
     if (options.pixel) return printPixel(*compiled.value().scene, *options.pixel);
-    if (const auto problem = memoryProblem(*compiled.value().scene, options.layers)) return fail(*problem, ExitCode::Scene);
+    if (const auto problem = memoryProblem(*compiled.value().scene, options.picture.layers)) return fail(*problem, ExitCode::Scene);
     return renderToFiles(options, scene.value(), compiled.value(), secondsSince(start), stop);
 }
 
