@@ -226,5 +226,19 @@ TEST(Effort, OfSplittingAndRouletteChangesNoMean) {  // T23
     EXPECT_GT(deviation(pixelMeans<BalanceHeuristic>(b.compile(), samples)), 4);
 }
 
+TEST(Strategies, AllGiveTheSameMeanUnderALampThatIsPartlyClear) {  // A15
+    SceneBuilder b = floorOf(Diffuse{grey(0.6)});
+    const MaterialId clay = b.material(Diffuse{grey(0.3)});
+    const ObjectId id = b.object(Torus{1, 0.4}, b.material(Mix{{clay, false}, {{}, true}, 0.7}), {0.5, 2, 0}, grey(3));
+    Object lamp = b.scene().objects.at(id);
+    lamp.transform.rotateDegrees = {70, 0, 20};
+    lamp.twoSided = true;  // Up to four faces of it shine in one direction.
+    b.scene().objects.set(id, lamp);
+    const auto scene = b.compile();
+    const test::Estimate balance = meanWith<BalanceHeuristic>(scene), alone = meanWith<BsdfOnly>(scene);
+    EXPECT_LE(std::abs(balance.mean - alone.mean), 4 * std::hypot(balance.sigma, alone.sigma));
+    EXPECT_LE(std::abs(balance.mean - alone.mean), 1e-2 * alone.mean);
+}
+
 }  // namespace
 }  // namespace glint

@@ -50,6 +50,7 @@ class PathTracer {
         Rgb throughput{1.0f};
         DVec3 from{0.0};          ///< last vertex at which the direction was drawn from a density ...
         double pdf = 0;           ///< ... and that density; 0 after a delta event or at the camera: no other way leads there
+        MediaStack passedLights;  ///< emissive surfaces passed straight since `from`: next-event estimation knows their nearest face only
         float etaScale = 1;       ///< undoes the eta^2 of refractions for the roulette
         int depth = 0;            ///< surface interactions so far
         std::uint32_t branch = 0; ///< 1 behind a split, where the other way was taken
@@ -62,6 +63,7 @@ class PathTracer {
     };
 
     static constexpr bool kSamplesLights = has(F, Feature::DeltaLights) || has(F, Feature::AreaLights) || has(F, Feature::SampledSky);
+    static constexpr bool kLightsMayBePassed = has(F, Feature::Straight) && has(F, Feature::AreaLights);
     /// Up to this many lights, each is sampled at the first vertex with a smooth part.
     static constexpr std::size_t kAllLights = 4;
     /// Hidden boundaries count as no interaction; this many in a row mean a path caught in rounding.
@@ -99,6 +101,8 @@ class PathTracer {
     template <class Density>
     [[nodiscard]] float foundWeight(const Path& path, std::uint32_t light, Density lightDensity) const {
         if (!has(F, Feature::Smooth) || path.pdf == 0) return 1;
+        if constexpr (kLightsMayBePassed)
+            if (path.passedLights.contains(light)) return 1;
         ++state_.work[Work::MisWeights];
         const double chosen = path.allLights ? 1.0 : scene_.lights.pickProbability(light);
         return static_cast<float>(Heuristic::bsdfWeight(path.pdf, chosen * lightDensity()));
@@ -175,6 +179,7 @@ class PathTracer {
                 path.throughput *= s.f * (std::abs(s.wi.z) / (s.pdf * smoothChance));
                 path.pdf = static_cast<double>(s.pdf) * smoothChance;
                 path.from = point.position;
+                if constexpr (kLightsMayBePassed) path.passedLights = {};
                 path.allLights = sampleAll(path);
                 path.scattered = true;
                 if constexpr (has(F, Feature::Layers))
@@ -207,9 +212,12 @@ class PathTracer {
     void takeBranch(Path& path, const SurfacePoint& point, const DeltaBranch& branch) {
         if constexpr (has(F, Feature::Layers))
             if (path.bounces == 0) path.shares = sharesOf(sameSide(point.wo, branch.wi) ? Lobe::Glossy : Lobe::Transmission);
-        if (branch.straight)
+        if (branch.straight) {
+            if constexpr (kLightsMayBePassed)
+                if (const std::uint32_t light = point.instance(scene_).light; light != ~0u && !path.passedLights.contains(light))
+                    path.passedLights.cross(light);
             leave(path, point, branch.wi, true);
-        else {
+        } else {
             path.pdf = 0;
             path.etaScale /= branch.scale;
             leave(path, point, branch.wi, false);
