@@ -180,5 +180,18 @@ TEST(MirrorCorridor, DimsByEachReflection) {  // A10
         }
 }
 
+TEST(WhiteFurnace, HidesWhiteMetalInClassicToo) {
+    // Rough lobes go on as the perfect ones that they are near to.
+    for (const double roughness : {0.0, 0.3}) {
+        SceneBuilder b;
+        b.object(Sphere{1}, b.material(Metal{grey(1), roughness}));
+        b.scene().environment.color = grey(1);
+        b.scene().render.integrator = Integrator::Classic;
+        b.camera({0, 0, 4}, {0, 0, 0}, 40);
+        b.film(16, 16, 4);
+        for (const float v : b.render().beauty.rgb) ASSERT_NEAR(v, 1, 1e-5) << roughness;
+    }
+}
+
 }  // namespace
 }  // namespace glint

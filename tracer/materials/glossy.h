@@ -86,6 +86,11 @@ class GlossyBsdf {
         if (!p.valid) return {};
         return {wi, evalPair(p), pdfPair(p)};
     }
+    /// The mirror of the polished coat that it is near to (classic).
+    [[nodiscard]] int perfectBranches(const Vec3& wo, float, DeltaBranch* out) const {
+        out[0] = {mirrored(wo), Rgb(fresnelDielectric(std::abs(wo.z), static_cast<float>(eta_)))};
+        return 1;
+    }
 
   private:
     [[nodiscard]] Rgb evalPair(const ReflectionPair& p) const {

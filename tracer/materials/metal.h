@@ -60,6 +60,10 @@ class MetalBsdf {
         if (!p.valid) return {};
         return {wi, evalPair(p), pdfPair(p)};
     }
+    /// The polished metal that it is near to (classic).
+    [[nodiscard]] int perfectBranches(const Vec3& wo, float eta, DeltaBranch* out) const {
+        return PolishedMetalBsdf{color_}.branches(wo, eta, out);
+    }
 
   private:
     [[nodiscard]] Rgb evalPair(const ReflectionPair& p) const {

@@ -42,6 +42,10 @@ class RoughGlassBsdf {
     }
     [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float eta) const;
     [[nodiscard]] int branches(const Vec3& wo, float eta, DeltaBranch* out) const;
+    /// The polished glass that it is near to (classic).
+    [[nodiscard]] int perfectBranches(const Vec3& wo, float eta, DeltaBranch* out) const {
+        return isSmooth(eta) ? 0 : smoothDielectricBranches(wo, eta, out);
+    }
 
   private:
     struct Value {
@@ -75,6 +79,13 @@ class RoughThinGlassBsdf {
     [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float) const;
     [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float) const;
     [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float eta) const;
+    /// The polished sheet that it is near to (classic).
+    [[nodiscard]] int perfectBranches(const Vec3& wo, float, DeltaBranch* out) const {
+        const auto mirror = static_cast<float>(reflectance(std::abs(static_cast<double>(wo.z))));
+        out[0] = {mirrored(wo), Rgb(mirror)};
+        out[1] = {-wo, Rgb(1 - mirror), true};
+        return 2;
+    }
 
   private:
     [[nodiscard]] double reflectance(double cosine) const {

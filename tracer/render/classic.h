@@ -19,7 +19,7 @@ class ClassicTracer {
         MediaStack media;
         if constexpr (has(F, Feature::Media)) media = scene_.cameraMedia;
         ++state_.rays.primary;
-        trace({cameraRay, media, Rgb(1.0f), 1.0f, 0, 1, true});
+        trace({cameraRay, media, Rgb(1.0f), 1.0f, 0, 1, true, true});
         return sum_;
     }
 
@@ -30,8 +30,9 @@ class ClassicTracer {
         Rgb weight;                ///< factor on its light at the camera
         float importance;          ///< largest factor between here and the camera, for the roulette of dim branches
         int depth;                 ///< surface interactions so far
-        std::uint32_t key;         ///< place in the tree of rays: the children of k are 16 k + 1, 16 k + 2 ...
+        std::uint32_t key;         ///< place in the tree of rays: the children of k are 32 k + 1, 32 k + 2 ...
         bool straightFromCamera;
+        bool seesLights;           ///< false behind a rough lobe, which has taken the lights' share directly
     };
 
     /// Branches dimmer than this go on by chance, with their weight made up for: a tree of glass would grow without end.
@@ -60,7 +61,7 @@ class ClassicTracer {
         }
         if constexpr (has(F, Feature::Layers))
             if (branch.depth == 0) describeSurface(scene_, point, *state_.layers, state_.work);
-        addEmission(branch, point);
+        if (branch.seesLights) addEmission(branch, point);
         if (branch.depth >= scene_.settings.maxDepth) return;
         if (material.hasSmooth()) addDirect(branch, point, material);
         reflectAndRefract(branch, point, material);
@@ -72,6 +73,7 @@ class ClassicTracer {
         const CompiledEnvironment& environment = scene_.lights.environment;
         if (!environment.isBlack() && !(branch.straightFromCamera && !environment.visibleToCamera))
             add(environment.group, branch.weight * seenInSky(environment, branch.ray.direction));
+        if (!branch.seesLights) return;
         for (const std::uint32_t sun : scene_.lights.sunDiscs) {
             const CompiledLight& light = scene_.lights.lights[sun];
             if (light.discHolds(branch.ray.direction)) add(light.group, branch.weight * light.emission);
@@ -114,27 +116,33 @@ class ClassicTracer {
         }
     }
 
+    /// The delta branches, and for rough lobes the perfect ones that they are near to.
     void reflectAndRefract(const Branch& branch, const SurfacePoint& point, const CompiledMaterial& material) {
-        const Branches ways = classicBranches(material, point, state_.work);
-        for (int i = 0; i < ways.count; ++i) {
-            const DeltaBranch& way = ways.at[static_cast<std::size_t>(i)];
-            Branch next{point.ray(way.wi), mediaBeyond<F>(state_, point, branch.media, way.wi), branch.weight * way.weight,
-                        branch.importance * maxComponent(way.weight), branch.depth + 1,
-                        branch.key * 16 + static_cast<std::uint32_t>(i) + 1, branch.straightFromCamera && way.straight};
-            if (next.importance < kDim) {
-                const float chance = next.importance / kDim;
-                if (sampler_.block(sobol::mix(next.key) ^ sampleBlock(SampleUse::Bsdf, 0, 0)).x >= chance) continue;
-                next.weight /= chance;
-                next.importance = kDim;
-            }
-            ++state_.rays.scatter;
-            trace(next);
+        const Branches delta = deltaBranches(material, point.wo, point.eta, state_.work), perfect = perfectBranches(material, point);
+        for (int i = 0; i < delta.count; ++i) {
+            const DeltaBranch& way = delta.at[static_cast<std::size_t>(i)];
+            follow(branch, point, way, i, branch.seesLights || !way.straight);
         }
+        for (int i = 0; i < perfect.count; ++i)
+            follow(branch, point, perfect.at[static_cast<std::size_t>(i)], Branches::kCapacity + i, false);
     }
 
-    /// The delta branches, and for rough lobes the perfect one that they are near to.
-    static Branches classicBranches(const CompiledMaterial& material, const SurfacePoint& point, WorkCounts& work) {
-        Branches out = deltaBranches(material, point.wo, point.eta, work);
+    void follow(const Branch& branch, const SurfacePoint& point, const DeltaBranch& way, int number, bool seesLights) {
+        Branch next{point.ray(way.wi), mediaBeyond<F>(state_, point, branch.media, way.wi), branch.weight * way.weight,
+                    branch.importance * maxComponent(way.weight), branch.depth + 1,
+                    branch.key * 32 + static_cast<std::uint32_t>(number) + 1, branch.straightFromCamera && way.straight, seesLights};
+        if (next.importance < kDim) {
+            const float chance = next.importance / kDim;
+            if (sampler_.block(sobol::mix(next.key) ^ sampleBlock(SampleUse::Bsdf, 0, 0)).x >= chance) return;
+            next.weight /= chance;
+            next.importance = kDim;
+        }
+        ++state_.rays.scatter;
+        trace(next);
+    }
+
+    static Branches perfectBranches(const CompiledMaterial& material, const SurfacePoint& point) {
+        Branches out;
         for (const WeightedLeaf& weighted : material.leaves)
             std::visit(
                 [&]<class Leaf>(const Leaf& leaf) {
