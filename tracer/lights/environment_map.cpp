@@ -274,7 +274,7 @@ EnvironmentSample EnvironmentMap::sample(const Vec2& u) const {
     const double turn = (column.x0 + 0.5 + column.fx) / image_->width - 0.5;
     const SineMoments theta = sineMoments(sinStart, cosStart, fy * band.width);
     const DVec2 phi = cosSinTurn(turn);
-    out.direction = {theta.sinEnd * phi.y, theta.cosEnd, -theta.sinEnd * phi.x};
+    out.direction = glm::normalize(DVec3(theta.sinEnd * phi.y, theta.cosEnd, -theta.sinEnd * phi.x));
     out.pdf = column.weight * pdfPerWeight_;
     out.radiance = radianceAt({column.x0, column.x1, band.upper, band.lower, column.fx, fy});
     return out;
