@@ -1651,6 +1651,14 @@
         <source>Add what is on the clipboard</source>
         <translation>添加剪贴板中的内容</translation>
     </message>
+    <message>
+        <source>E&amp;rror report…</source>
+        <translation>误差报告(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Measure how the error of this scene falls with time</source>
+        <translation>测量此场景的误差如何随时间下降</translation>
+    </message>
 </context>
 <context>
     <name>glint::ColorPopup</name>
@@ -1925,6 +1933,89 @@ In the picture: Shift, then drag with the right button</source>
     <message>
         <source>Pictures (*.exr *.hdr *.png *.jpg *.jpeg *.tif *.tiff)</source>
         <translation>图像 (*.exr *.hdr *.png *.jpg *.jpeg *.tif *.tiff)</translation>
+    </message>
+</context>
+<context>
+    <name>glint::ErrorReportDialog</name>
+    <message>
+        <source>Error report</source>
+        <translation>误差报告</translation>
+    </message>
+    <message>
+        <source>Measuring at %1 × %2 pixels: %3 renders of each number of samples against a reference by another estimator.</source>
+        <translation>以 %1 × %2 像素测量：每种采样数渲染 %3 次，与另一种估计方法的参考图比较。</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>采样</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>relMSE</source>
+        <translation>相对均方误差</translation>
+    </message>
+    <message>
+        <source>Mean error %</source>
+        <translation>平均误差 %</translation>
+    </message>
+    <message>
+        <source>99th percentile %</source>
+        <translation>第 99 百分位 %</translation>
+    </message>
+    <message>
+        <source>Outliers %</source>
+        <translation>离群值 %</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>保存 CSV…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels.</source>
+        <translation>%1 × %2 像素。</translation>
+    </message>
+    <message>
+        <source>relMSE falls as samples to the power of %1 ± %2 (−1: as chance has it); efficiency 1 / (relMSE · time) is %3 per second.</source>
+        <translation>相对均方误差按采样数的 %1 ± %2 次幂下降（−1：随机情形）；效率 1 /（相对均方误差 · 时间）为每秒 %3。</translation>
+    </message>
+    <message>
+        <source>This picture has no noise that could be measured.</source>
+        <translation>此画面没有可测量的噪点。</translation>
+    </message>
+    <message>
+        <source>this scene</source>
+        <translation>此场景</translation>
+    </message>
+    <message>
+        <source>Error over time</source>
+        <translation>误差随时间变化</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Save CSV</source>
+        <translation>保存 CSV</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
     </message>
 </context>
 <context>
