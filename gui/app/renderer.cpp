@@ -76,7 +76,7 @@ void Renderer::publishScene() {
 }
 
 void Renderer::publishView() {
-    view_.display = displaySettings(document_.scene());
+    view_.paint.display = displaySettings(document_.scene());
     session_->publish(view_);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <ctime>
 #include <random>
 #include <thread>
 
@@ -29,7 +30,7 @@ SceneBuilder stillLife() {
     return b;
 }
 
-ViewSettings viewOf(const Scene& scene) { return {scene.film.width, scene.film.height, {}, false}; }
+ViewSettings viewOf(const Scene& scene) { return {scene.film.width, scene.film.height, {}, false, {}, 0}; }
 
 /// The next frame for which `wanted` holds; a copy, or a failure after ten seconds.
 template <class Wanted>
@@ -84,10 +85,10 @@ TEST(Session, ExposureChangesThePictureWithoutNewSamples) {
     session.publish(view);
     session.publish(b.scene(), {});
     const SessionFrame before = waitFor(session, isConverged);
-    view.display.exposureEv = 1;
+    view.paint.display.exposureEv = 1;
     session.publish(view);
     const SessionFrame after = waitFor(session, [&](const SessionFrame& f) { return f.pixels != before.pixels; });
-    EXPECT_EQ(after.pixels, shown(b.render().beauty, view.display));
+    EXPECT_EQ(after.pixels, shown(b.render().beauty, view.paint.display));
     EXPECT_EQ(after.seconds, before.seconds) << "time was spent on new samples";
 }
 
@@ -106,13 +107,87 @@ TEST(Session, PausedAndResumedGivesTheSameBits) {
     EXPECT_EQ(waitFor(session, isConverged).pixels, shown(b.render().beauty, {}));
 }
 
+TEST(Session, RegionKeepsTheRest) {
+    SceneBuilder b = stillLife();
+    Session session(2);
+    ViewSettings view = viewOf(b.scene());
+    session.publish(view);
+    session.publish(b.scene(), {});
+    const std::vector<std::uint32_t> old = waitFor(session, isConverged).pixels;
+    view.region = PixelRect{10, 8, 30, 20};
+    session.publish(view);
+    b.scene().environment.color = Color{2, 0.1, 0.1};
+    const std::uint64_t revision = session.publish(b.scene(), {});
+    const auto isNew = [&](const SessionFrame& f) { return f.revision == revision && isConverged(f); };
+    const std::vector<std::uint32_t> part = waitFor(session, isNew).pixels;
+    const std::vector<std::uint32_t> whole = shown(b.render().beauty, {});
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            const auto i = static_cast<std::size_t>(y * view.width + x);
+            const bool inside = x >= 10 && x < 40 && y >= 8 && y < 28;
+            ASSERT_EQ(part[i], inside ? whole[i] : old[i]) << x << "," << y;
+        }
+    // Without the region the rest is made anew.
+    view.region.reset();
+    session.publish(view);
+    EXPECT_EQ(waitFor(session, [](const SessionFrame& f) { return !f.region && isConverged(f); }).pixels, whole);
+}
+
+TEST(Session, ChannelsAndFilterCostNoSamples) {
+    SceneBuilder b = stillLife();
+    Session session(2);
+    ViewSettings view = viewOf(b.scene());
+    session.publish(view);
+    session.publish(b.scene(), {});
+    const SessionFrame beauty = waitFor(session, isConverged);
+    for (std::size_t i = 1; i < kChannels; ++i) {
+        view.paint.channel = static_cast<Channel>(i);
+        session.publish(view);
+        const SessionFrame frame = waitFor(session, [&](const SessionFrame& f) { return f.channel == view.paint.channel; });
+        EXPECT_EQ(frame.seconds, beauty.seconds) << "channel " << i;
+        EXPECT_NE(frame.pixels, beauty.pixels) << "channel " << i;
+    }
+    view.paint.channel = Channel::Beauty;
+    view.paint.filtered = true;
+    session.publish(view);
+    const SessionFrame filtered = waitFor(session, [&](const SessionFrame& f) { return f.filtered; });
+    EXPECT_EQ(filtered.seconds, beauty.seconds);
+    EXPECT_EQ(filtered.error, beauty.error);
+    view.paint.filtered = false;
+    session.publish(view);
+    EXPECT_EQ(waitFor(session, [](const SessionFrame& f) { return !f.filtered; }).pixels, beauty.pixels);
+}
+
+TEST(Session, ConvergedAndHiddenCostNoProcessorTime) {
+    SceneBuilder b = stillLife();
+    Session session(2);
+    ViewSettings view = viewOf(b.scene());
+    session.publish(view);
+    session.publish(b.scene(), {});
+    static_cast<void>(waitFor(session, isConverged));
+    const auto share = [] {
+        const std::clock_t before = std::clock();
+        constexpr int kMilliseconds = 1000;
+        std::this_thread::sleep_for(std::chrono::milliseconds(kMilliseconds));
+        return static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC / (1e-3 * kMilliseconds);
+    };
+    EXPECT_LT(share(), 0.005);
+    b.scene().render.spp = 1000000;
+    session.publish(b.scene(), {});
+    EXPECT_GT(share(), 0.02);  // It is seen when there is work.
+    view.paused = true;
+    session.publish(view);
+    static_cast<void>(waitFor(session, [](const SessionFrame& f) { return f.state == SessionState::Paused; }));
+    EXPECT_LT(share(), 0.005);
+}
+
 TEST(Session, SurvivesRandomEditsResizesPausesAndQuits) {
     std::mt19937 random(1);
     SceneBuilder b = stillLife();
     const std::vector<ObjectId> ids = b.scene().objects.ids();
     for (int round = 0; round < 20; ++round) {
         Session session(1 + round % 3);
-        ViewSettings view{120, 90, {}, false};
+        ViewSettings view{120, 90, {}, false, {}, 0};
         session.publish(view);
         for (int i = 0; i < 25; ++i) {
             Object moved = b.scene().objects.at(ids[1 + random() % 2]);

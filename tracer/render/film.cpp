@@ -1,6 +1,13 @@
 #include "tracer/render/film.h"
 
+#include <algorithm>
+
 namespace glint {
+
+void Film::clear(const PixelRect& rect) {
+    for (int y = rect.y; y < rect.y + rect.height; ++y)
+        std::fill_n(pixels_.begin() + static_cast<std::ptrdiff_t>(index(rect.x, y)), rect.width, FilmPixel{});
+}
 
 Image Film::image() const {
     Image out{width_, height_, {}};

@@ -35,7 +35,8 @@ class Film {
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] FilmPixel& at(int x, int y) { return pixels_[index(x, y)]; }
     [[nodiscard]] const FilmPixel& at(int x, int y) const { return pixels_[index(x, y)]; }
-    void clear() { pixels_.assign(pixels_.size(), {}); }
+    /// Takes the samples of a rectangle away.
+    void clear(const PixelRect& rect);
 
     /// Means of all pixels.
     [[nodiscard]] Image image() const;

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <thread>
 
+#include "tracer/render/preview_filter.h"
 #include "tracer/render/scheduler.h"
 
 namespace glint {
@@ -27,13 +28,14 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 /// Runs the passes of one render on the calling thread and reports.
 class HeadlessRender {
   public:
-    HeadlessRender(const RenderScene& scene, const RenderRequest& request)
-        : scene_(scene),
+    HeadlessRender(const std::shared_ptr<const RenderScene>& scene, const RenderRequest& request)
+        : shared_(scene),
+          scene_(*scene),
           request_(request),
           pool_(request.threads > 0 ? request.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
-          film_(scene.film.width, scene.film.height) {
+          film_(scene->film.width, scene->film.height) {
         if (request.layers || request.alpha)
-            layers_.emplace(scene.film.width, scene.film.height, request.layers ? LayerFilm::Content::All : LayerFilm::Content::Coverage);
+            layers_.emplace(scene->film.width, scene->film.height, request.layers ? LayerFilm::Content::All : LayerFilm::Content::Coverage);
     }
 
     Rendering run() {
@@ -124,6 +126,7 @@ class HeadlessRender {
     Rendering finish(int done, bool complete, bool interrupted) {
         Rendering out;
         out.beauty = film_.image();
+        if (request_.filter) out.filtered = filtered(done);
         if (request_.alpha) out.alpha = layers_->coverage();
         if (request_.layers) {
             appendFilm(film_, out.layers);
@@ -143,6 +146,21 @@ class HeadlessRender {
         return out;
     }
 
+    /// The film denoised; only of the part that is rendered, where every pixel has a sample.
+    [[nodiscard]] Image filtered(int done) {
+        Image out{film_.width(), film_.height(), {}};
+        out.rgb.resize(3 * static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+        if (done == 0) return out;
+        GuideFilm guides;
+        guides.refine(shared_, out.width, out.height, 1, GuideFilm::kSamples, {}, pool_);
+        std::vector<Rgb> pixels;
+        PreviewFilter().run(film_, guides, pool_, pixels);
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            for (int c = 0; c < 3; ++c) out.rgb[3 * i + static_cast<std::size_t>(c)] = pixels[i][c];
+        return out;
+    }
+
+    std::shared_ptr<const RenderScene> shared_;
     const RenderScene& scene_;
     const RenderRequest& request_;
     Clock::time_point start_ = Clock::now();
@@ -173,7 +191,7 @@ std::optional<Error> memoryProblem(const RenderScene& scene, bool layers) {
 }
 
 Rendering render(const std::shared_ptr<const RenderScene>& scene, const RenderRequest& request) {
-    return HeadlessRender(*scene, request).run();
+    return HeadlessRender(scene, request).run();
 }
 
 Rgb renderSample(const RenderScene& scene, const SamplePlace& place) {

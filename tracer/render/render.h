@@ -60,11 +60,13 @@ struct RenderRequest {
     bool layers = false;              ///< fill Rendering::layers; costs time and some 300 bytes a pixel
     KernelChoice kernel = KernelChoice::Smallest;
     bool alpha = false;               ///< fill Rendering::alpha
+    bool filter = false;              ///< fill Rendering::filtered
     std::function<void(const RenderProgress&)> progress;  ///< called a few times a second on the calling thread
 };
 
 struct Rendering {
     Image beauty;  ///< film size, mean of the samples
+    Image filtered;  ///< if asked for: the picture denoised for a preview, see preview_filter.h
     std::vector<ExrChannel> layers;  ///< if asked for: the channels of a multi-layer EXR, see layers.h
     std::vector<float> alpha;        ///< if asked for: share of each pixel's samples that met an object, row-major
     int spp = 0;   ///< samples that every pixel has

@@ -34,7 +34,7 @@ constexpr int kMaxStride = 64;
 }  // namespace
 
 struct Session::Impl {
-    Impl(int threads, std::function<void()> onFrameCallback) : onFrame(std::move(onFrameCallback)), pool(threads), scheduler(pool) {
+    Impl(int threads, std::function<void()> onFrameCallback) : onFrame(std::move(onFrameCallback)), pool(threads), scheduler(pool), painter(pool) {
         coordinator = std::jthread([this] { run(); });
     }
     ~Impl() {
@@ -76,20 +76,52 @@ struct Session::Impl {
                 stale = true;
             } else {
                 const ViewSettings& next = std::get<ViewSettings>(message);
-                stale = stale || next.width != view.width || next.height != view.height;
-                undisplayed = undisplayed || !(next == view);
-                view = next;
+                readView(next);
             }
         }
+    }
+
+    void readView(const ViewSettings& next) {
+        const PixelRect before = workRect();
+        stale = stale || next.width != view.width || next.height != view.height;
+        undisplayed = undisplayed || !(next == view);
+        view = next;
+        pool.limit(view.threads > 0 ? view.threads : pool.threads());
+        if (stale || workRect() == before) return;
+        // What lies outside the old region may show an older scene.
+        stale = restIsOld;
+        recount();
+    }
+
+    /// The pixels that get samples.
+    [[nodiscard]] PixelRect workRect() const {
+        if (!view.region) return {0, 0, view.width, view.height};
+        const PixelRect& r = *view.region;
+        const int x0 = std::clamp(r.x, 0, view.width), y0 = std::clamp(r.y, 0, view.height);
+        return {x0, y0, std::clamp(r.x + r.width, x0, view.width) - x0, std::clamp(r.y + r.height, y0, view.height) - y0};
+    }
+
+    /// How far the pixels to work on are, when it is others than before.
+    void recount() {
+        const PixelRect rect = workRect();
+        if (film.width() != view.width || film.height() != view.height) return;
+        std::uint32_t least = ~0u;
+        for (int y = rect.y; y < rect.y + rect.height; ++y)
+            for (int x = rect.x; x < rect.x + rect.width; ++x) least = std::min(least, film.at(x, y).samples);
+        if (rect.width <= 0 || rect.height <= 0) least = 0;
+        spp = static_cast<int>(least);
+        if (spp > 0) stride = shownStride = 1;
+        error = pictureError(film, rect);
     }
 
     /// One turn of work; false: nothing to do until a message comes.
     bool step(std::uint64_t seen) {
         if (document.revision == 0 || view.width <= 0 || view.height <= 0) return false;
-        if (stale) restart();
+        // A paused picture stays as it is, edits and sizes notwithstanding.
+        if (stale && !(view.paused && scene)) restart();
         if (!scene) return false;
         if (isConverged() || view.paused) {
-            if (undisplayed) show(view.paused && !isConverged() ? SessionState::Paused : SessionState::Converged);
+            if (undisplayed) show(view.paused && !isConverged() ? SessionState::Paused : SessionState::Converged, {&epoch, seen});
             return false;
         }
         renderPass(seen);
@@ -110,8 +142,10 @@ struct Session::Impl {
         Compiled result = std::move(compiled).value();
         for (const CompileWarning& warning : result.warnings) warnings.push_back(warning.error);
         scene = std::move(result.scene);
-        if (film.width() == view.width && film.height() == view.height)
-            film.clear();
+        const bool sameSize = film.width() == view.width && film.height() == view.height;
+        restIsOld = sameSize && view.region;
+        if (sameSize)
+            film.clear(workRect());
         else
             film = Film(view.width, view.height);
         counts = {};
@@ -125,8 +159,9 @@ struct Session::Impl {
     /// The finest grid of pixels that the first pass can trace in its time, from the rate measured so far.
     [[nodiscard]] int firstStride() const {
         const double affordable = kFirstPassSeconds * samplesPerSecond;
+        const PixelRect rect = workRect();
         int s = 1;
-        while (s < kMaxStride && static_cast<double>(view.width) * view.height / (s * s) > affordable) s *= 2;
+        while (s < kMaxStride && static_cast<double>(rect.width) * rect.height / (s * s) > affordable) s *= 2;
         return s;
     }
 
@@ -141,7 +176,7 @@ struct Session::Impl {
         const int target = spp == 0 ? 1 : std::min(document.scene.render.spp, spp + samplesInPass());
         const std::uint64_t before = counts.rays.primary, raysBefore = counts.rays.total();
         const auto start = Clock::now();
-        const bool complete = scheduler.renderPass(*scene, film, nullptr, {0, 0, view.width, view.height}, stride,
+        const bool complete = scheduler.renderPass(*scene, film, nullptr, workRect(), stride,
                                                    static_cast<std::uint32_t>(target), cancel, counts);
         const double took = std::chrono::duration<double>(Clock::now() - start).count();
         seconds += took;
@@ -151,15 +186,15 @@ struct Session::Impl {
             if (stride > 1)
                 stride /= 2, shownStride = stride * 2;
             else
-                spp = target, shownStride = 1, error = pictureError(film, {0, 0, view.width, view.height});
+                spp = target, shownStride = 1, error = pictureError(film, workRect());
         }
         // A cancelled pass is only shown for the sake of new view settings: its film may be about to go.
-        if (complete || undisplayed) show(isConverged() ? SessionState::Converged : SessionState::Rendering);
+        if (complete || undisplayed) show(isConverged() ? SessionState::Converged : SessionState::Rendering, cancel);
     }
 
     /// Passes double until they take kPassSeconds.
     [[nodiscard]] int samplesInPass() const {
-        const double affordable = kPassSeconds * samplesPerSecond / (static_cast<double>(view.width) * view.height);
+        const double affordable = kPassSeconds * samplesPerSecond / std::max(1.0, static_cast<double>(workRect().width) * workRect().height);
         return std::clamp(static_cast<int>(affordable), 1, std::max(1, spp));
     }
 
@@ -169,30 +204,32 @@ struct Session::Impl {
         raysPerSecond = rays / took;
     }
 
-    /// Converts the film on the workers and hands the frame out.
-    void show(SessionState state) {
-        undisplayed = false;
+    /// Until the first of the stop rules is met: samples and time at the present rate, the error as it falls with the root of
+    /// the samples.
+    [[nodiscard]] double remainingSeconds() const {
+        const RenderSettings& rules = document.scene.render;
+        if (isConverged()) return 0;
+        if (spp == 0 || seconds <= 0) return kInfinity;
+        double left = seconds * (static_cast<double>(rules.spp) / spp - 1);
+        if (rules.timeSeconds > 0) left = std::min(left, rules.timeSeconds - seconds);
+        if (rules.errorPercent > 0 && error < kInfinity) left = std::min(left, seconds * (std::pow(100 * error / rules.errorPercent, 2) - 1));
+        return std::max(left, 0.0);
+    }
+
+    /// Paints the film on the workers and hands the frame out, unless news come meanwhile.
+    void show(SessionState state, const CancelToken& cancel) {
         SessionFrame& frame = frames.back();
+        if (!painter.paint(scene, film, std::max(shownStride, 1), view.paint, cancel, frame)) return;
+        undisplayed = false;
         frame.revision = document.revision;
-        frame.width = view.width;
-        frame.height = view.height;
-        frame.pixels.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
-        const DisplayTransform transform(view.display);
-        const int mask = ~(std::max(shownStride, 1) - 1);
-        constexpr int kRows = 16;
-        pool.run((view.height + kRows - 1) / kRows, [&](int, int band) {
-            for (int y = band * kRows; y < std::min(view.height, (band + 1) * kRows); ++y)
-                for (int x = 0; x < view.width; ++x) {
-                    const FilmPixel* pixel = &film.at(x, y);
-                    if (pixel->samples == 0) pixel = &film.at(x & mask, y & mask);
-                    frame.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x)] =
-                        transform.apply(pixel->mean());
-                }
-        });
+        frame.width = film.width();
+        frame.height = film.height();
+        frame.region = view.region ? std::optional(workRect()) : std::nullopt;
         frame.state = state;
         frame.spp = spp;
         frame.sppTarget = document.scene.render.spp;
         frame.seconds = seconds;
+        frame.remainingSeconds = remainingSeconds();
         frame.error = error;
         frame.raysPerSecond = raysPerSecond;
         frame.nonfiniteSamples = counts.nonfinite;
@@ -208,6 +245,7 @@ struct Session::Impl {
     std::function<void()> onFrame;
     WorkerPool pool;
     Scheduler scheduler;
+    FramePainter painter;
     Inbox<Message> inbox;
     TripleBuffer<SessionFrame> frames;
     std::atomic<std::uint64_t> epoch{1};  ///< moves with every message; partners: run() and the workers' CancelToken
@@ -224,6 +262,7 @@ struct Session::Impl {
     std::vector<Error> warnings;
     bool stale = false;        ///< document or size changed since the last compile
     bool undisplayed = false;  ///< the view changed since the last frame
+    bool restIsOld = false;    ///< the pixels outside the region are of an older scene
     bool firstPass = true;
     int stride = 1;            ///< grid of the pass to come; above 1 while the first sample refines
     int shownStride = 1;       ///< grid on which every pixel has a sample

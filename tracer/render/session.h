@@ -7,36 +7,41 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tracer/base/result.h"
-#include "tracer/color/display.h"
+#include "tracer/render/frame_painter.h"
 #include "tracer/scene/scene.h"
 
 namespace glint {
 
 struct RenderScene;
 
-/// How the picture is shown. Changing anything but the size never restarts the render.
+/// How the picture is shown, and where it is worked on. Changing anything but the size never restarts the render.
 struct ViewSettings {
     int width = 0, height = 0;  ///< of the picture in pixels; 0: nothing is rendered
-    DisplaySettings display;
+    PaintSettings paint;
     bool paused = false;
+    /// Only these pixels get samples, and only they are lost to an edit: the others keep what they show. Cut to the picture.
+    std::optional<PixelRect> region;
+    int threads = 0;  ///< that work at most; 0: all
     bool operator==(const ViewSettings&) const = default;
 };
 
 enum class SessionState { Idle, Rendering, Paused, Converged };
 
 /// A picture ready to be shown, with what is known about it.
-struct SessionFrame {
+struct SessionFrame : Painting {
     std::uint64_t revision = 0;  ///< number of the publish(scene) that it shows
     int width = 0, height = 0;
-    std::vector<std::uint32_t> pixels;  ///< 0xffRRGGBB, height x width, row-major, top row first
+    std::optional<PixelRect> region;  ///< spp and error are those of its pixels
     SessionState state = SessionState::Idle;
     int spp = 0;          ///< samples that every pixel has; 0 while the first pass refines
     int sppTarget = 0;
     double seconds = 0;   ///< spent on this picture
+    double remainingSeconds = 0;  ///< until a stop rule ends it, at the present rate; 0 when done, infinite while unknown
     double error = 0;     ///< of the picture, see pictureError(); infinite before the second sample
     double raysPerSecond = 0;
     std::uint64_t nonfiniteSamples = 0;

@@ -52,7 +52,7 @@ void WorkerPool::loop(int worker) {
         generation_.wait(seen, std::memory_order_acquire);
         seen = generation_.load(std::memory_order_acquire);
         if (quit_.load(std::memory_order_relaxed)) return;
-        takePieces(worker);
+        if (worker < limit_) takePieces(worker);
         if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();
     }
 }

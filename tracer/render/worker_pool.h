@@ -22,6 +22,9 @@ class WorkerPool {
 
     [[nodiscard]] int threads() const { return static_cast<int>(threads_.size()) + 1; }
 
+    /// At most so many threads (at least 1) take pieces from now on; the others sleep. Called between runs.
+    void limit(int threads) { limit_ = threads; }
+
     /// Calls work(worker, piece) for every piece below `pieces` and returns when all are done. The calling thread is worker 0.
     void run(int pieces, const PieceFunction& work);
 
@@ -32,6 +35,7 @@ class WorkerPool {
     std::vector<std::jthread> threads_;
     const PieceFunction* work_ = nullptr;
     int pieces_ = 0;
+    int limit_ = 1 << 20;
     std::atomic<int> next_{0};                ///< next piece; partners: takePieces of all workers (relaxed: only a number)
     std::atomic<std::uint32_t> generation_{0};  ///< a run begins: release in run(), acquire in loop()
     std::atomic<int> busy_{0};                ///< workers not done yet: release in loop(), acquire in run()

@@ -1,0 +1,164 @@
+#include "tracer/render/frame_painter.h"
+
+#include <algorithm>
+
+#include "tracer/color/false_color.h"
+
+namespace glint {
+
+namespace {
+
+constexpr int kBandRows = 16;  ///< rows that a worker takes at a time; whole tiles of the error
+
+/// 8-bit numbers as they are, without exposure or transfer curve: values in [0, 1].
+std::uint32_t plainColor(const Vec3& value) {
+    std::uint32_t out = 0xff;
+    for (int c = 0; c < 3; ++c) out = out << 8 | static_cast<std::uint32_t>(std::clamp(value[c], 0.0f, 1.0f) * 255 + 0.5f);
+    return out;
+}
+
+bool isSurfaceChannel(Channel channel) { return channel >= Channel::Albedo && channel <= Channel::Material; }
+
+/// Smallest and largest value of `valueOf(guide)` where something was hit.
+template <class ValueOf>
+Legend rangeOf(const GuideFilm& guides, int width, int height, int stride, ValueOf valueOf) {
+    Legend out{kInfinity, -kInfinity, false};
+    for (int y = 0; y < height; y += stride)
+        for (int x = 0; x < width; x += stride) {
+            const GuideFilm::Pixel& guide = guides.at(x, y);
+            if (guide.object == 0) continue;
+            const auto value = static_cast<double>(valueOf(guide));
+            out.low = std::min(out.low, value);
+            out.high = std::max(out.high, value);
+        }
+    return out.low > out.high ? Legend{0, 1, false} : out;
+}
+
+float placeOn(const Legend& legend, float value) {
+    const auto scaled = [&](double v) { return legend.logarithmic ? std::log2(v) : v; };
+    const double low = scaled(legend.low), high = scaled(legend.high);
+    return high > low ? static_cast<float>((scaled(static_cast<double>(value)) - low) / (high - low)) : 0.0f;
+}
+
+}  // namespace
+
+template <class Color>
+void FramePainter::eachPixel(const Film& film, Color&& color, Painting& out) {
+    const int width = film.width(), height = film.height();
+    out.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    pool_.run((height + kBandRows - 1) / kBandRows, [&](int, int band) {
+        for (int y = band * kBandRows; y < std::min(height, (band + 1) * kBandRows); ++y) {
+            std::uint32_t* row = out.pixels.data() + static_cast<std::ptrdiff_t>(y) * width;
+            for (int x = 0; x < width; ++x) row[x] = color(x, y);
+        }
+    });
+}
+
+bool FramePainter::paint(const std::shared_ptr<const RenderScene>& scene, const Film& film, int stride, const PaintSettings& settings,
+                         const CancelToken& cancel, Painting& out) {
+    const bool filters = settings.filtered && settings.channel == Channel::Beauty && stride == 1;
+    if (filters || isSurfaceChannel(settings.channel)) {
+        const std::uint32_t samples = stride > 1 ? 1 : GuideFilm::kSamples;
+        if (!guides_.refine(scene, film.width(), film.height(), stride, samples, cancel, pool_)) return false;
+    }
+    out.channel = settings.channel;
+    out.filtered = filters;
+    out.legend.reset();
+    findErrors(film, out.errors);
+    const int mask = ~(stride - 1);
+    if (isSurfaceChannel(settings.channel)) {
+        paintSurfaces(film, mask, out);
+    } else if (settings.channel != Channel::Beauty) {
+        paintScale(film, mask, settings, out);
+    } else if (filters) {
+        filter_.run(film, guides_, pool_, filteredLight_);
+        const DisplayTransform transform(settings.display);
+        eachPixel(film, [&](int x, int y) { return transform.apply(filteredLight_[static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width()) + static_cast<std::size_t>(x)]); }, out);
+    } else {
+        paintBeauty(film, mask, DisplayTransform(settings.display), out);
+    }
+    return true;
+}
+
+void FramePainter::paintBeauty(const Film& film, int mask, const DisplayTransform& transform, Painting& out) {
+    eachPixel(film,
+              [&](int x, int y) {
+                  const FilmPixel* pixel = &film.at(x, y);
+                  if (pixel->samples == 0) pixel = &film.at(x & mask, y & mask);
+                  return transform.apply(pixel->mean());
+              },
+              out);
+}
+
+void FramePainter::paintSurfaces(const Film& film, int mask, Painting& out) {
+    const int width = film.width(), height = film.height(), stride = -mask;
+    const auto paintGuides = [&](auto color) { eachPixel(film, [&](int x, int y) { return color(guides_.at(x & mask, y & mask)); }, out); };
+    switch (out.channel) {
+        case Channel::Albedo: return paintGuides([](const GuideFilm::Pixel& g) { return plainColor({srgbFromLinear(g.albedo.x), srgbFromLinear(g.albedo.y), srgbFromLinear(g.albedo.z)}); });
+        case Channel::Normal: return paintGuides([](const GuideFilm::Pixel& g) { return g.object ? plainColor(g.normal * 0.5f + 0.5f) : idColor(0); });
+        case Channel::Object: return paintGuides([](const GuideFilm::Pixel& g) { return idColor(g.object); });
+        case Channel::Material: return paintGuides([](const GuideFilm::Pixel& g) { return idColor(g.material); });
+        case Channel::Depth: {
+            Legend legend = rangeOf(guides_, width, height, stride, [](const GuideFilm::Pixel& g) { return g.depth; });
+            legend.logarithmic = legend.low > 0;
+            out.legend = legend;
+            return paintGuides([legend](const GuideFilm::Pixel& g) { return g.object ? falseColor(1 - placeOn(legend, g.depth)) : idColor(0); });
+        }
+        default: break;
+    }
+    // Position: each axis from the least to the largest value in view.
+    std::array<Legend, 3> axes;
+    for (int c = 0; c < 3; ++c) axes[static_cast<std::size_t>(c)] = rangeOf(guides_, width, height, stride, [c](const GuideFilm::Pixel& g) { return g.position[c]; });
+    paintGuides([axes](const GuideFilm::Pixel& g) {
+        return g.object ? plainColor({placeOn(axes[0], g.position.x), placeOn(axes[1], g.position.y), placeOn(axes[2], g.position.z)}) : idColor(0);
+    });
+}
+
+void FramePainter::paintScale(const Film& film, int mask, const PaintSettings& settings, Painting& out) {
+    const auto paint = [&](const Legend& legend, auto valueOf) {
+        out.legend = legend;
+        eachPixel(film, [&, legend](int x, int y) { return falseColor(placeOn(legend, valueOf(x, y))); }, out);
+    };
+    if (out.channel == Channel::Samples) {
+        std::uint32_t most = 1;
+        for (int y = 0; y < film.height(); ++y)
+            for (int x = 0; x < film.width(); ++x) most = std::max(most, film.at(x, y).samples);
+        return paint({0, static_cast<double>(most), false}, [&](int x, int y) { return static_cast<float>(film.at(x, y).samples); });
+    }
+    if (out.channel == Channel::Error)
+        return paint({0.001, 1, true}, [&](int x, int y) { return out.errors.at(x, y).value_or(1.0f); });
+    // Luminance in stops over or under middle grey, which is 18 % of white, as exposed.
+    constexpr double kStops = 6, kMiddleGrey = 0.18;
+    const float scale = static_cast<float>(std::exp2(settings.display.exposureEv) / kMiddleGrey);
+    paint({-kStops, kStops, false}, [&](int x, int y) {
+        const FilmPixel* pixel = &film.at(x, y);
+        if (pixel->samples == 0) pixel = &film.at(x & mask, y & mask);
+        return std::log2(std::max(luminance(pixel->mean()) * scale, 1e-30f));
+    });
+}
+
+void FramePainter::findErrors(const Film& film, TileErrors& out) {
+    const int width = film.width(), height = film.height();
+    constexpr int kTile = TileErrors::kTile;
+    const int rows = (height + kTile - 1) / kTile;
+    out.columns = (width + kTile - 1) / kTile;
+    out.bounds.assign(static_cast<std::size_t>(out.columns) * static_cast<std::size_t>(rows), -1.0f);
+    std::vector<double> light(static_cast<std::size_t>(rows), 0.0);
+    pool_.run(rows, [&](int, int row) {
+        for (int y = row * kTile; y < std::min(height, (row + 1) * kTile); ++y)
+            for (int x = 0; x < width; ++x) light[static_cast<std::size_t>(row)] += static_cast<double>(luminance(film.at(x, y).mean()));
+        for (int column = 0; column < out.columns; ++column) {
+            const int x = column * kTile, y = row * kTile;
+            if (film.at(x, y).samples < 2) continue;
+            const double bound = TileErrors::kBound * tileError(film, {x, y, std::min(kTile, width - x), std::min(kTile, height - y)});
+            out.bounds[static_cast<std::size_t>(row * out.columns + column)] = static_cast<float>(bound);
+        }
+    });
+    double sum = 0;
+    for (const double l : light) sum += l;
+    const double mean = sum / (static_cast<double>(width) * height);
+    for (float& bound : out.bounds)
+        if (bound > 0) bound = mean > 0 ? static_cast<float>(bound / mean) : 1.0f;
+}
+
+}  // namespace glint

@@ -1,0 +1,84 @@
+// FramePainter: a film as a picture for the screen: exposure, channels, false colours, the preview filter. Never changes the film, so
+// nothing chosen here restarts a render. Start at paint().
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "tracer/color/display.h"
+#include "tracer/render/preview_filter.h"
+
+namespace glint {
+
+/// What the viewport shows of the picture.
+enum class Channel { Beauty, Albedo, Normal, Depth, Position, Object, Material, Samples, Error, Luminance };
+inline constexpr std::size_t kChannels = 10;
+
+/// The values at both ends of the scale of a channel in false colours.
+struct Legend {
+    double low = 0, high = 1;
+    bool logarithmic = false;
+    bool operator==(const Legend&) const = default;
+};
+
+/// Bounds of the error of tiles of the picture: what the root mean square over a tile's pixels of the standard error of their
+/// luminance stays below in 95 of 100 cases, as a share of the mean luminance of the picture.
+struct TileErrors {
+    static constexpr int kTile = 8;  ///< pixels
+    /// The square root of the 95 % point of the F distribution of (64, 64) degrees of freedom.
+    static constexpr double kBound = 1.23;
+    int columns = 0;
+    std::vector<float> bounds;  ///< row-major; below 0: not known yet
+
+    /// The tile's bound at a pixel.
+    [[nodiscard]] std::optional<float> at(int x, int y) const {
+        const auto i = static_cast<std::size_t>(y / kTile * columns + x / kTile);
+        if (columns == 0 || i >= bounds.size() || bounds[i] < 0) return std::nullopt;
+        return bounds[i];
+    }
+};
+
+/// How it is to be shown.
+struct PaintSettings {
+    DisplaySettings display;
+    Channel channel = Channel::Beauty;
+    bool filtered = false;
+    bool operator==(const PaintSettings&) const = default;
+};
+
+/// What is painted.
+struct Painting {
+    std::vector<std::uint32_t> pixels;  ///< 0xffRRGGBB, height x width, row-major, top row first
+    Channel channel = Channel::Beauty;
+    bool filtered = false;  ///< the preview filter was at work
+    std::optional<Legend> legend;
+    TileErrors errors;
+};
+
+class FramePainter {
+  public:
+    explicit FramePainter(WorkerPool& pool) : pool_(pool) {}
+
+    /// Paints `film`, which holds samples of `scene` at all pixels whose x and y are multiples of `stride` and maybe others. The
+    /// channels of surfaces and the filter trace guides first; false when cancelled meanwhile, `out` is then of no use.
+    /// The filter waits until every pixel has a sample.
+    bool paint(const std::shared_ptr<const RenderScene>& scene, const Film& film, int stride, const PaintSettings& settings,
+               const CancelToken& cancel, Painting& out);
+
+  private:
+    void paintBeauty(const Film& film, int mask, const DisplayTransform& transform, Painting& out);
+    void paintSurfaces(const Film& film, int mask, Painting& out);
+    void paintScale(const Film& film, int mask, const PaintSettings& settings, Painting& out);
+    void findErrors(const Film& film, TileErrors& out);
+    template <class Color>
+    void eachPixel(const Film& film, Color&& color, Painting& out);
+
+    WorkerPool& pool_;
+    GuideFilm guides_;
+    PreviewFilter filter_;
+    std::vector<Rgb> filteredLight_;
+};
+
+}  // namespace glint

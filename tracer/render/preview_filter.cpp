@@ -1,0 +1,73 @@
+#include "tracer/render/preview_filter.h"
+
+#include <algorithm>
+
+namespace glint {
+
+namespace {
+
+/// Surfaces darker than this are divided by it instead: their light is too dim to tell its colour.
+constexpr float kLeastAlbedo = 0.02f;
+
+Rgb divisor(const GuideFilm::Pixel& guide) { return glm::max(guide.seenAlbedo, Rgb(kLeastAlbedo)); }
+
+/// Variance of the mean's luminance, as the difference of the halves tells; below 0 if there is but one.
+float varianceOf(const FilmPixel& pixel, const Rgb& albedo) {
+    if (pixel.samples < 2) return -1;
+    const double countB = pixel.samples / 2, countA = pixel.samples - countB;
+    const float half = 0.5f * luminance(toFloat(pixel.sumA / countA - pixel.sumB / countB) / albedo);
+    return half * half;
+}
+
+}  // namespace
+
+void FilterPlane::resize(int width, int height) {
+    pitch_ = (width + kLanes - 1) / kLanes * kLanes + 2 * kMargin;
+    values_.assign(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(height + 2 * kMargin), 0.0f);
+}
+
+void PreviewFilter::load(const Film& film, const GuideFilm& guides, int y) {
+    for (int x = 0; x < planes_.width; ++x) {
+        const GuideFilm::Pixel& guide = guides.at(x, y);
+        const Rgb albedo = divisor(guide), light = film.at(x, y).mean() / albedo;
+        for (int c = 0; c < 3; ++c) {
+            planes_.light[0][c].row(y)[x] = light[c];
+            planes_.normal[c].row(y)[x] = film.at(x, y).samples ? guide.seenNormal[c] : 0;
+        }
+        planes_.variance[0].row(y)[x] = varianceOf(film.at(x, y), albedo);
+        planes_.nearness.row(y)[x] = guide.seenNearness;
+    }
+}
+
+void PreviewFilter::store(const GuideFilm& guides, int y, std::vector<Rgb>& out) const {
+    Rgb* row = out.data() + static_cast<std::ptrdiff_t>(y) * planes_.width;
+    constexpr int kFrom = (kSteps + 1) % 2;  // prepare() and each step change sides
+    for (int x = 0; x < planes_.width; ++x)
+        row[x] = divisor(guides.at(x, y)) * Rgb(planes_.light[kFrom][0].row(y)[x], planes_.light[kFrom][1].row(y)[x], planes_.light[kFrom][2].row(y)[x]);
+}
+
+void PreviewFilter::run(const Film& film, const GuideFilm& guides, WorkerPool& pool, std::vector<Rgb>& out) {
+    const int width = film.width(), height = film.height();
+    if (width != planes_.width || height != planes_.height) {
+        planes_.width = width;
+        planes_.height = height;
+        for (FilterPlane* plane : {&planes_.light[0][0], &planes_.light[0][1], &planes_.light[0][2], &planes_.light[1][0], &planes_.light[1][1],
+                                   &planes_.light[1][2], &planes_.variance[0], &planes_.variance[1], &planes_.normal[0], &planes_.normal[1],
+                                   &planes_.normal[2], &planes_.nearness, &planes_.slope[0], &planes_.slope[1]})
+            plane->resize(width, height);
+    }
+    out.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    const auto eachRow = [&](auto&& work) {
+        constexpr int kRows = 16;
+        pool.run((height + kRows - 1) / kRows, [&](int, int band) {
+            for (int y = band * kRows; y < std::min(height, (band + 1) * kRows); ++y) work(y);
+        });
+    };
+    static const FilterLoops loops = filterLoops();
+    eachRow([&](int y) { load(film, guides, y); });
+    eachRow([&](int y) { loops.prepare(planes_, y); });
+    for (int i = 0; i < kSteps; ++i) eachRow([&](int y) { loops.step(planes_, (i + 1) % 2, 1 << i, y); });
+    eachRow([&](int y) { store(guides, y, out); });
+}
+
+}  // namespace glint
