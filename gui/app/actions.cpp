@@ -41,6 +41,7 @@ constexpr ActionRow kRows[] = {
     {"edit.selectNone", QT_TRANSLATE_NOOP("glint::Actions", "Select &none"), "Esc", "", QT_TRANSLATE_NOOP("glint::Actions", "Select nothing")},
     {"edit.rename", QT_TRANSLATE_NOOP("glint::Actions", "Rena&me"), "F2", "", QT_TRANSLATE_NOOP("glint::Actions", "Rename the active item")},
     {"edit.hide", QT_TRANSLATE_NOOP("glint::Actions", "&Hide"), "H", "eye-off", QT_TRANSLATE_NOOP("glint::Actions", "Hide the selection")},
+    {"edit.hideRest", QT_TRANSLATE_NOOP("glint::Actions", "Hide the &rest"), "Shift+H", "", QT_TRANSLATE_NOOP("glint::Actions", "Hide every object but the selected ones")},
     {"edit.showAll", QT_TRANSLATE_NOOP("glint::Actions", "&Show all"), "Alt+H", "eye", QT_TRANSLATE_NOOP("glint::Actions", "Show everything that is hidden")},
     {"edit.group", QT_TRANSLATE_NOOP("glint::Actions", "&Group"), "Ctrl+G", "group", QT_TRANSLATE_NOOP("glint::Actions", "Put the selection into a new group")},
     {"edit.ungroup", QT_TRANSLATE_NOOP("glint::Actions", "U&ngroup"), "Ctrl+Shift+G", "", QT_TRANSLATE_NOOP("glint::Actions", "Dissolve the selected groups")},
@@ -66,6 +67,24 @@ constexpr ActionRow kRows[] = {
     {"view.next", QT_TRANSLATE_NOOP("glint::Actions", "Ne&xt view"), "Alt+Right", "", QT_TRANSLATE_NOOP("glint::Actions", "Go forward again")},
     {"view.overlay", QT_TRANSLATE_NOOP("glint::Actions", "&Overlay"), "Shift+Alt+Z", "", QT_TRANSLATE_NOOP("glint::Actions", "Show outlines, handles and marks over the picture"), true},
     {"view.grid", QT_TRANSLATE_NOOP("glint::Actions", "&Grid"), "G", "grid", QT_TRANSLATE_NOOP("glint::Actions", "Show the ground grid"), true},
+    {"view.filter", QT_TRANSLATE_NOOP("glint::Actions", "&Filtered"), "Shift+F", "filter", QT_TRANSLATE_NOOP("glint::Actions", "Show the picture denoised; samples, error and files stay as they are"), true},
+    {"view.region", QT_TRANSLATE_NOOP("glint::Actions", "&Region"), "Ctrl+B", "region", QT_TRANSLATE_NOOP("glint::Actions", "Mark the only part of the picture that is rendered on; the rest stays")},
+    {"view.regionClear", QT_TRANSLATE_NOOP("glint::Actions", "Whole pic&ture"), "Ctrl+Alt+B", "", QT_TRANSLATE_NOOP("glint::Actions", "Render the whole picture again")},
+    {"view.isolate", QT_TRANSLATE_NOOP("glint::Actions", "Render se&lected only"), "/", "", QT_TRANSLATE_NOOP("glint::Actions", "Show the picture with nothing but the selected objects and the lights"), true},
+
+    {"render.inspect", QT_TRANSLATE_NOOP("glint::Actions", "&Inspect pixel"), "I", "search", QT_TRANSLATE_NOOP("glint::Actions", "Explain the pixel under the pointer: its paths and what light they found (Alt+click)")},
+
+    {"channel.beauty", QT_TRANSLATE_NOOP("glint::Actions", "&Beauty"), "Shift+1", "", QT_TRANSLATE_NOOP("glint::Actions", "Show the picture"), true},
+    {"channel.albedo", QT_TRANSLATE_NOOP("glint::Actions", "&Albedo"), "1", "", QT_TRANSLATE_NOOP("glint::Actions", "Show what share of light the surfaces send back"), true},
+    {"channel.normal", QT_TRANSLATE_NOOP("glint::Actions", "&Normal"), "2", "", QT_TRANSLATE_NOOP("glint::Actions", "Show which way the surfaces face"), true},
+    {"channel.depth", QT_TRANSLATE_NOOP("glint::Actions", "&Depth"), "3", "", QT_TRANSLATE_NOOP("glint::Actions", "Show how far the surfaces are"), true},
+    {"channel.position", QT_TRANSLATE_NOOP("glint::Actions", "&Position"), "4", "", QT_TRANSLATE_NOOP("glint::Actions", "Show where the surfaces are"), true},
+    {"channel.object", QT_TRANSLATE_NOOP("glint::Actions", "&Objects"), "5", "", QT_TRANSLATE_NOOP("glint::Actions", "Show a colour for each object"), true},
+    {"channel.material", QT_TRANSLATE_NOOP("glint::Actions", "&Materials"), "6", "", QT_TRANSLATE_NOOP("glint::Actions", "Show a colour for each material"), true},
+    {"channel.samples", QT_TRANSLATE_NOOP("glint::Actions", "&Samples"), "7", "", QT_TRANSLATE_NOOP("glint::Actions", "Show how many samples each pixel has"), true},
+    {"channel.error", QT_TRANSLATE_NOOP("glint::Actions", "&Error"), "8", "", QT_TRANSLATE_NOOP("glint::Actions", "Show how good each part of the picture is: the 95 % bound of its error"), true},
+    {"channel.luminance", QT_TRANSLATE_NOOP("glint::Actions", "&Luminance"), "9", "", QT_TRANSLATE_NOOP("glint::Actions", "Show brightness in stops from middle grey"), true},
+
     {"view.darker", QT_TRANSLATE_NOOP("glint::Actions", "&Darker"), "[", "", QT_TRANSLATE_NOOP("glint::Actions", "Half a stop less exposure")},
     {"view.brighter", QT_TRANSLATE_NOOP("glint::Actions", "&Brighter"), "]", "", QT_TRANSLATE_NOOP("glint::Actions", "Half a stop more exposure")},
 
@@ -162,7 +181,7 @@ QString Actions::groupOf(const QAction* action) {
     if (group == "file") return tr("File");
     if (group == "edit" || group == "add") return tr("Edit");
     if (group == "tool") return tr("Tools");
-    if (group == "view") return tr("View");
+    if (group == "view" || group == "channel") return tr("View");
     if (group == "render") return tr("Render");
     return tr("Window and help");
 }

@@ -1,5 +1,7 @@
 #include "gui/app/edit_controller.h"
 
+#include <algorithm>
+
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMenu>
@@ -118,6 +120,16 @@ void EditController::hideSelected() {
     Scene scene = document_.committed();
     for (const Item item : selection_.items()) scene = withVisible(std::move(scene), item, false);
     document_.edit(std::move(scene), tr("Hide"));
+}
+
+void EditController::hideRest() {
+    Scene scene = document_.committed();
+    const std::vector<ObjectId> kept = objectsWithin(scene, selection_.items());
+    if (kept.empty()) return;
+    for (const ObjectId id : document_.committed().objects.ids())
+        if (std::find(kept.begin(), kept.end(), id) == kept.end() && scene.objects.at(id).visible)
+            scene = withVisible(std::move(scene), Item::of(id), false);
+    document_.edit(std::move(scene), tr("Hide the rest"));
 }
 
 void EditController::showAll() {

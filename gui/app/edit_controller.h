@@ -31,6 +31,7 @@ class EditController : public QObject {
     void paste();
     void selectAll();
     void hideSelected();
+    void hideRest();
     void showAll();
     void group();
     void ungroup();

@@ -31,6 +31,7 @@
 #include "gui/app/file_watch.h"
 #include "gui/app/material_previews.h"
 #include "gui/app/message_log.h"
+#include "gui/app/picture_controls.h"
 #include "gui/app/preferences_dialog.h"
 #include "gui/app/preview_renderer.h"
 #include "gui/app/renderer.h"
@@ -44,6 +45,7 @@
 #include "gui/panels/export_panel.h"
 #include "gui/panels/material_panel.h"
 #include "gui/panels/object_list.h"
+#include "gui/panels/pixel_inspector.h"
 #include "gui/panels/property_panel.h"
 #include "gui/panels/render_panel.h"
 #include "gui/panels/start_page.h"
@@ -193,6 +195,14 @@ void MainWindow::buildDocks() {
     exports->hide();
     statistics->hide();
     log->hide();
+    inspector_ = new PixelInspector(document_, *renderer_, selection_, this);
+    QDockWidget* inspector = addDock("inspector", tr("Pixel"), inspector_, Qt::BottomDockWidgetArea);
+    inspector->hide();
+    connect(view_, &RenderView::inspectRequested, inspector, [this, inspector](const QPoint& pixel) {
+        inspector->show();
+        inspector->raise();
+        inspector_->inspect(pixel);
+    });
     properties->raise();
     const int unit = fontMetrics().averageCharWidth();
     // Wide enough for any form: a panel that grew with the selection would shrink the picture and start it anew.
@@ -216,19 +226,23 @@ void MainWindow::buildMenus() {
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(recent); });
     actions_->fill(file, {"-", "file.save", "file.saveAs", "-", "file.export", "-", "file.quit"});
     menu(tr("&Edit"), {"edit.undo", "edit.redo", "-", "edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete", "-",
-                       "edit.selectAll", "edit.selectNone", "edit.rename", "-", "edit.hide", "edit.showAll", "-", "edit.group", "edit.ungroup", "-", "edit.preferences"});
+                       "edit.selectAll", "edit.selectNone", "edit.rename", "-", "edit.hide", "edit.hideRest", "edit.showAll", "-", "edit.group", "edit.ungroup", "-", "edit.preferences"});
     addMenu_ = menuBar()->addMenu(tr("&Add"));
     edits_->fillAddMenu(addMenu_, [this] { return addAt_.isNull() ? QRectF(view_->rect()).center() : addAt_; });
     objects_->setAddMenu(addMenu_);
     QMenu* viewMenu = menu(tr("&View"), {"tool.select", "tool.move", "tool.rotate", "tool.scale", "tool.snap", "-", "view.frameSelected", "view.frameAll", "-",
                        "view.front", "view.behind", "view.right", "view.left", "view.top", "view.bottom", "-", "view.projection",
-                       "view.camera", "-", "view.previous", "view.next", "-", "view.overlay", "view.grid", "-", "view.darker", "view.brighter"});
+                       "view.camera", "-", "view.previous", "view.next", "-", "view.overlay", "view.grid", "-", "view.filter", "view.darker", "view.brighter"});
     QMenu* cameras = viewMenu->addMenu((*actions_)["view.camera"]->icon(), tr("Ca&meras"));
     cameras->setObjectName("cameras");
     connect(cameras, &QMenu::aboutToShow, this, [this, cameras] { fillCameraMenu(cameras); });
     QMenu* saved = viewMenu->addMenu(tr("Sa&ved views"));
     connect(saved, &QMenu::aboutToShow, this, [this, saved] { fillSavedViewMenu(saved); });
-    menu(tr("&Render"), {"render.pause", "render.copy", "-", "render.errorReport", "-", "file.export"});
+    QMenu* render = menu(tr("&Render"), {"render.pause", "-", "view.region", "view.regionClear", "view.isolate", "-", "render.inspect"});
+    QMenu* channels = render->addMenu(tr("&Channel"));
+    channels->setToolTipsVisible(true);
+    for (const char* id : kChannelActions) channels->addAction((*actions_)[id]);
+    actions_->fill(render, {"-", "render.copy", "-", "render.errorReport", "-", "file.export"});
     QMenu* window = menuBar()->addMenu(tr("&Window"));
     for (QDockWidget* dock : findChildren<QDockWidget*>()) window->addAction(dock->toggleViewAction());
     actions_->fill(window, {"-", "window.light"});
@@ -236,8 +250,9 @@ void MainWindow::buildMenus() {
 
     contextMenu_ = new QMenu(this);
     contextMenu_->addMenu(addMenu_);
-    actions_->fill(contextMenu_, {"-", "edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete", "edit.rename", "-", "edit.hide", "edit.showAll", "edit.group", "edit.ungroup",
-                                  "-", "view.frameSelected", "view.frameAll"});
+    actions_->fill(contextMenu_, {"-", "edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete", "edit.rename", "-", "edit.hide", "edit.hideRest", "edit.showAll", "edit.group", "edit.ungroup",
+                                  "-", "view.frameSelected", "view.frameAll", "-"});
+    connect(contextMenu_->addAction(tr("&Inspect pixel")), &QAction::triggered, this, [this] { view_->inspect(addAt_); });
 }
 
 void MainWindow::buildToolBar() { addToolBar(new ToolBar(document_, *view_, *actions_, this)); }
@@ -338,6 +353,7 @@ void MainWindow::connectEditActions() {
     actions_->on("edit.selectNone", this, [this] { selection_.clear(); });
     actions_->on("edit.rename", objects_, &ObjectList::renameActive);
     actions_->on("edit.hide", edits_, &EditController::hideSelected);
+    actions_->on("edit.hideRest", edits_, &EditController::hideRest);
     actions_->on("edit.showAll", edits_, &EditController::showAll);
     actions_->on("edit.group", edits_, &EditController::group);
     actions_->on("edit.ungroup", edits_, &EditController::ungroup);
@@ -368,6 +384,8 @@ void MainWindow::connectViewActions() {
     actions_->on("view.grid", view_, &RenderView::setGridShown);
     (*actions_)["view.overlay"]->setChecked(view_->isOverlayShown());
     (*actions_)["view.grid"]->setChecked(view_->isGridShown());
+    actions_->on("render.inspect", view_, [this] { view_->inspect(view_->pointerOrCenter()); });
+    new PictureControls(*actions_, *renderer_, *view_, document_, selection_, actions_);
     constexpr double kHalfStop = 0.5;
     actions_->on("view.darker", edits_, [this] { edits_->changeExposure(-kHalfStop); });
     actions_->on("view.brighter", edits_, [this] { edits_->changeExposure(kHalfStop); });
@@ -412,6 +430,7 @@ void MainWindow::connectState() {
         if (renderer_->frame()) status_->showFrame(*renderer_->frame());
     };
     connect(renderer_, &Renderer::frameReady, actions_, showFrame);
+    connect(view_, &RenderView::pixelHovered, status_, &StatusLine::showPixel);
     const auto showPaused = [this](bool paused) {
         (*actions_)["render.pause"]->setChecked(paused);
         (*actions_)["render.pause"]->setIcon(icon(paused ? "play" : "pause"));

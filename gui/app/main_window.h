@@ -31,6 +31,7 @@ class MessageBar;
 class MessageLog;
 class ObjectList;
 class PreviewRenderer;
+class PixelInspector;
 class PropertyPanel;
 class Renderer;
 class RenderView;
@@ -55,6 +56,7 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] EnvironmentPicker& environment() { return *environment_; }
     [[nodiscard]] MaterialPanel& materials() { return *materials_; }
     [[nodiscard]] MaterialPreviews& materialPreviews() { return *materialPreviews_; }
+    [[nodiscard]] PixelInspector& inspector() { return *inspector_; }
     [[nodiscard]] MessageBar& messages() { return *messages_; }
     [[nodiscard]] FileController& files() { return *files_; }
     [[nodiscard]] ExportQueue& exports() { return *exports_; }
@@ -124,6 +126,7 @@ class MainWindow : public QMainWindow {
     MaterialPanel* materials_ = nullptr;
     PreviewRenderer* previews_ = nullptr;
     MaterialPreviews* materialPreviews_ = nullptr;
+    PixelInspector* inspector_ = nullptr;
     Actions* actions_ = nullptr;
     ViewCommands* viewCommands_ = nullptr;
     EditController* edits_ = nullptr;

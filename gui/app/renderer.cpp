@@ -10,36 +10,27 @@ namespace glint {
 
 namespace {
 
-int workerCount(int wanted) { return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int workerCount() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 DisplaySettings displaySettings(const Scene& scene) { return {scene.display.exposureEv, scene.display.view}; }
 
 }  // namespace
 
 Renderer::Renderer(const Document& document, QObject* parent) : QObject(parent), document_(document) {
-    startSession();
-    connect(&document, &Document::changed, this, &Renderer::onDocumentChanged);
-    connect(&document, &Document::titleChanged, this, [this] {
-        if (document_.assetFolder() != assetFolder_) publishScene();
-    });
-}
-
-void Renderer::startSession() {
-    // The old session goes first: its frames are the ones that frame_ points to.
-    frame_ = nullptr;
-    session_.reset();
-    session_ = std::make_unique<Session>(workerCount(threads_), [this] {
+    session_ = std::make_unique<Session>(workerCount(), [this] {
         if (!eventPending_.exchange(true, std::memory_order_acq_rel))
             QMetaObject::invokeMethod(this, &Renderer::takeFrame, Qt::QueuedConnection);
     });
+    connect(&document, &Document::changed, this, &Renderer::onDocumentChanged);
+    connect(&document, &Document::replaced, this, [this] {
+        isolated_.clear();
+        changeView();
+    });
+    connect(&document, &Document::titleChanged, this, [this] {
+        if (document_.assetFolder() != assetFolder_) publishScene();
+    });
     publishScene();
     publishView();
-}
-
-void Renderer::setThreads(int threads) {
-    if (threads == threads_) return;
-    threads_ = threads;
-    startSession();
 }
 
 // The session goes first: its threads call back into this object.
@@ -53,10 +44,48 @@ void Renderer::setSize(QSize size) {
 }
 
 void Renderer::setPaused(bool paused) {
-    if (view_.paused == paused) return;
-    view_.paused = paused;
+    if (paused_ == paused) return;
+    paused_ = paused;
     publishView();
     emit pausedChanged(paused);
+}
+
+void Renderer::setThreads(int threads) {
+    if (view_.threads == threads) return;
+    view_.threads = threads;
+    publishView();
+}
+
+void Renderer::setShown(bool shown) {
+    if (shown_ == shown) return;
+    shown_ = shown;
+    publishView();
+}
+
+void Renderer::changeView() {
+    publishView();
+    emit viewChanged();
+}
+
+void Renderer::setChannel(Channel channel) {
+    view_.paint.channel = channel;
+    changeView();
+}
+
+void Renderer::setFiltered(bool filtered) {
+    view_.paint.filtered = filtered;
+    changeView();
+}
+
+void Renderer::setRegion(const std::optional<QRectF>& region) {
+    region_ = region;
+    changeView();
+}
+
+void Renderer::setIsolated(std::vector<ObjectId> objects) {
+    isolated_ = std::move(objects);
+    publishScene();
+    emit viewChanged();
 }
 
 void Renderer::onDocumentChanged(const Scene& before) {
@@ -72,11 +101,27 @@ void Renderer::publishScene() {
     assetFolder_ = document_.assetFolder();
     const Scene& scene = document_.scene();
     const Camera camera = fittedCamera(scene.viewCamera(), scene.film, view_.width, view_.height);
-    session_->publish(withViewCamera(scene, camera), assetFolder_);
+    Scene seen = withViewCamera(scene, camera);
+    if (isIsolated())
+        for (const ObjectId id : seen.objects.ids()) {
+            if (std::find(isolated_.begin(), isolated_.end(), id) != isolated_.end()) continue;
+            Object object = seen.objects.at(id);
+            if (!object.visible) continue;
+            object.visible = false;
+            seen.objects.set(id, std::move(object));
+        }
+    session_->publish(std::move(seen), assetFolder_);
 }
 
 void Renderer::publishView() {
     view_.paint.display = displaySettings(document_.scene());
+    view_.paused = paused_ || !shown_;
+    view_.region.reset();
+    if (region_) {
+        const QRectF r(region_->x() * view_.width, region_->y() * view_.height, region_->width() * view_.width, region_->height() * view_.height);
+        const QRect pixels = r.toAlignedRect();
+        view_.region = PixelRect{pixels.x(), pixels.y(), pixels.width(), pixels.height()};
+    }
     session_->publish(view_);
 }
 

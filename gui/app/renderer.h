@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QRectF>
 #include <QSize>
 #include <atomic>
 #include <memory>
@@ -22,29 +23,46 @@ class Renderer : public QObject {
 
     /// The newest frame, or null before the first. Valid until the next frameReady().
     [[nodiscard]] const SessionFrame* frame() const { return frame_; }
-    [[nodiscard]] bool isPaused() const { return view_.paused; }
+    [[nodiscard]] bool isPaused() const { return paused_; }
+    [[nodiscard]] Channel channel() const { return view_.paint.channel; }
+    [[nodiscard]] bool isFiltered() const { return view_.paint.filtered; }
+    /// As a part of the picture: 0 to 1 both ways.
+    [[nodiscard]] const std::optional<QRectF>& region() const { return region_; }
+    [[nodiscard]] bool isIsolated() const { return !isolated_.empty(); }
 
     /// Size of the picture in device pixels.
     void setSize(QSize size);
     void setPaused(bool paused);
-    /// Renders on so many threads from now on, 0 for one a processor; the picture starts again.
+    /// Renders on at most so many threads from now on, 0 for one a processor. Nothing starts again.
     void setThreads(int threads);
     /// Draws the same scene again, from files that may have changed.
     void reload() { publishScene(); }
+    void setChannel(Channel channel);
+    void setFiltered(bool filtered);
+    /// Only this part of the picture gets samples; nothing: all of it.
+    void setRegion(const std::optional<QRectF>& region);
+    /// Renders without the other objects, unless empty. The document stays as it is.
+    void setIsolated(std::vector<ObjectId> objects);
+    /// Out of sight nothing is rendered.
+    void setShown(bool shown);
 
   signals:
     void frameReady();
     void pausedChanged(bool paused);
+    /// Channel, filter, region or isolation are others.
+    void viewChanged();
 
   private:
     void onDocumentChanged(const Scene& before);
     void publishScene();
     void publishView();
     void takeFrame();
-    void startSession();
+    void changeView();
 
     const Document& document_;
-    int threads_ = 0;  ///< as asked for
+    bool paused_ = false, shown_ = true;
+    std::optional<QRectF> region_;
+    std::vector<ObjectId> isolated_;
     ViewSettings view_;
     const SessionFrame* frame_ = nullptr;
     std::filesystem::path assetFolder_;  ///< as published

@@ -20,7 +20,7 @@ ToolBar::ToolBar(Document& document, RenderView& view, const Actions& actions, Q
     addToolOptions();
     addAction(actions["tool.snap"]);
     addSeparator();
-    addAction(actions["render.pause"]);
+    for (const char* id : {"render.pause", "view.region", "view.filter"}) addAction(actions[id]);
     addSceneFields();
     auto* space = new QWidget(this);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);

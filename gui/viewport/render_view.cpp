@@ -3,14 +3,17 @@
 #include <QApplication>
 #include <QWheelEvent>
 #include <algorithm>
+#include <QWindow>
 #include <cmath>
 
 #include "gui/viewport/edit_gestures.h"
 #include "gui/viewport/navigation.h"
+#include "gui/viewport/legend.h"
 #include "gui/viewport/navigation_gestures.h"
 #include "gui/viewport/overlay.h"
 #include "gui/viewport/selection_outline.h"
 #include "tracer/color/display.h"
+#include "gui/viewport/region_gesture.h"
 
 namespace glint {
 
@@ -34,6 +37,7 @@ RenderView::RenderView(Document& document, Selection& selection, Renderer& rende
     connect(&renderer, &Renderer::frameReady, this, repaint);
     connect(outline_, &SelectionOutline::ready, this, repaint);
     connect(&renderer, &Renderer::pausedChanged, this, repaint);
+    connect(&renderer, &Renderer::viewChanged, this, repaint);
     connect(&document, &Document::changed, this, repaint);
     connect(&selection, &Selection::changed, this, repaint);
     connect(&document, &Document::replaced, this, [this] {
@@ -87,7 +91,20 @@ void RenderView::beginFollow(Scene base, const QString& text) {
     setFocus();
 }
 
+void RenderView::beginRegion() {
+    regionComes_ = true;
+    setCursor(Qt::CrossCursor);
+    setFocus();
+    update();
+}
+
 bool RenderView::cancelGesture() {
+    if (regionComes_) {
+        regionComes_ = false;
+        unsetCursor();
+        update();
+        return true;
+    }
     if (!gesture_) return false;
     const auto gesture = std::move(gesture_);
     gesture->cancel();
@@ -108,6 +125,11 @@ std::unique_ptr<Gesture> RenderView::gestureFor(const QMouseEvent& event) {
             if (shift) return std::make_unique<EnvironmentGesture>(context_, at);
             return std::make_unique<FlyGesture>(context_, at);
         case Qt::LeftButton: {
+            if (regionComes_) {
+                regionComes_ = false;
+                unsetCursor();
+                return std::make_unique<RegionGesture>(context_, at);
+            }
             if (alt) return std::make_unique<OrbitGesture>(context_, at);
             updateHover(at);
             const auto frame = context_.gizmoFrame();
@@ -139,12 +161,19 @@ void RenderView::mousePressEvent(QMouseEvent* event) {
         return;
     }
     wheelTimer_.stop();
+    pressedAt_ = event->position();
     gesture_ = gestureFor(*event);
     gestureButton_ = event->button();
     update();
 }
 
+QPoint RenderView::pixelAt(const QPointF& at) const {
+    const QPointF pixel = at * devicePixelRatioF();
+    return {static_cast<int>(std::floor(pixel.x())), static_cast<int>(std::floor(pixel.y()))};
+}
+
 void RenderView::mouseMoveEvent(QMouseEvent* event) {
+    emit pixelHovered(pixelAt(event->position()));
     if (!gesture_) return updateHover(event->position());
     gesture_->move(pointerOf(*event));
     emit readoutChanged(gesture_->readout());
@@ -155,8 +184,11 @@ void RenderView::mouseReleaseEvent(QMouseEvent* event) {
     if (!gesture_ || event->button() != gestureButton_) return;
     const auto* fly = dynamic_cast<FlyGesture*>(gesture_.get());
     const bool click = fly && fly->isClick();
+    // Alt and a click that turned nothing asks about the pixel.
+    const bool asks = event->button() == Qt::LeftButton && event->modifiers() & Qt::AltModifier && event->position() == pressedAt_;
     endGesture(pointerOf(*event));
     if (click) emit menuRequested(event->globalPosition().toPoint());
+    if (asks) inspect(event->position());
 }
 
 void RenderView::endGesture(const Pointer& pointer) {
@@ -189,7 +221,7 @@ void RenderView::wheelEvent(QWheelEvent* event) {
 }
 
 bool RenderView::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && gesture_) {
+    if (event->type() == QEvent::ShortcutOverride && (gesture_ || (regionComes_ && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape))) {
         // While something is dragged the keys are its own: W moves forward and does not choose a tool.
         event->accept();
         return true;
@@ -198,7 +230,33 @@ bool RenderView::event(QEvent* event) {
     return QWidget::event(event);
 }
 
+// A window out of sight needs no picture: minimised, or shown to nobody.
+void RenderView::watchWindow() {
+    if (QWindow* handle = window()->windowHandle()) handle->installEventFilter(this);
+}
+
+bool RenderView::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Expose)
+        if (const auto* handle = qobject_cast<QWindow*>(watched)) context_.renderer.setShown(isVisible() && handle->isExposed());
+    return QWidget::eventFilter(watched, event);
+}
+
+void RenderView::showEvent(QShowEvent* event) {
+    watchWindow();
+    context_.renderer.setShown(true);
+    QWidget::showEvent(event);
+}
+
+void RenderView::hideEvent(QHideEvent* event) {
+    context_.renderer.setShown(false);
+    QWidget::hideEvent(event);
+}
+
 void RenderView::keyPressEvent(QKeyEvent* event) {
+    if (regionComes_ && event->key() == Qt::Key_Escape) {
+        cancelGesture();
+        return;
+    }
     if (!gesture_) return QWidget::keyPressEvent(event);
     if (event->key() == Qt::Key_Escape) {
         cancelGesture();
@@ -217,6 +275,7 @@ void RenderView::keyReleaseEvent(QKeyEvent* event) {
 
 void RenderView::leaveEvent(QEvent* event) {
     if (!gesture_) hovered_ = Handle::None;
+    emit pixelHovered({-1, -1});
     update();
     QWidget::leaveEvent(event);
 }
@@ -237,6 +296,8 @@ void RenderView::paintEvent(QPaintEvent*) {
     paintPicture(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     if (overlayShown_) paintOverlay(painter);
+    if (const auto& region = context_.renderer.region()) paintRegion(painter, *region, rect());
+    if (const SessionFrame* frame = context_.renderer.frame(); frame && frame->channel != Channel::Beauty) paintLegend(painter, *frame, rect());
     if (gesture_) gesture_->paint(painter);
     paintHints(painter);
 }
@@ -275,12 +336,23 @@ void RenderView::paintOverlay(QPainter& painter) const {
     }
 }
 
+QString RenderView::hint() const {
+    if (gesture_) return gesture_->readout();
+    const Renderer& renderer = context_.renderer;
+    if (regionComes_) return tr("Drag the region that is to be rendered (Esc: not now)");
+    QStringList parts;
+    if (renderer.isPaused()) parts << tr("Paused (Space)");
+    if (renderer.isIsolated()) parts << tr("Only some objects are rendered (/ shows all)");
+    if (renderer.isFiltered() && renderer.channel() == Channel::Beauty) parts << tr("Filtered");
+    if (!parts.isEmpty()) return parts.join(QStringLiteral("  ·  "));
+    if (!renderer.frame()) return tr("Preparing the picture…");
+    if (context_.document.scene().objects.empty())
+        return tr("This scene is empty. Shift+A adds an object; drop a scene or an environment picture here.");
+    return {};
+}
+
 void RenderView::paintHints(QPainter& painter) const {
-    QString text = gesture_ ? gesture_->readout() : QString();
-    if (text.isEmpty() && context_.renderer.isPaused()) text = tr("Paused (Space)");
-    if (text.isEmpty() && !context_.renderer.frame()) text = tr("Preparing the picture…");
-    if (text.isEmpty() && context_.document.scene().objects.empty())
-        text = tr("This scene is empty. Shift+A adds an object; drop a scene or an environment picture here.");
+    const QString text = hint();
     if (text.isEmpty()) return;
     QRectF box = QRectF(fontMetrics().boundingRect(rect().adjusted(20, 0, -20, 0), Qt::AlignCenter | Qt::TextWordWrap, text)).adjusted(-10, -5, 10, 5);
     box.moveTop(10);

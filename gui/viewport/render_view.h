@@ -28,10 +28,16 @@ class RenderView : public QWidget, public PictureSource {
     void setGridShown(bool shown);
     [[nodiscard]] bool isOverlayShown() const { return overlayShown_; }
     [[nodiscard]] bool isGridShown() const { return gridShown_; }
+    /// The pixel of the picture under a place in the view.
+    [[nodiscard]] QPoint pixelAt(const QPointF& at) const;
     /// Where the pointer is, or the middle of the view if it is elsewhere.
     [[nodiscard]] QPointF pointerOrCenter() const;
     /// Lets the selected items of `base` follow the pointer until a click.
     void beginFollow(Scene base, const QString& text);
+    /// Asks for the pixel at this place to be explained.
+    void inspect(const QPointF& at) { emit inspectRequested(pixelAt(at)); }
+    /// The next drag marks the region that is rendered.
+    void beginRegion();
     /// Ends what the pointer is doing and takes it back; false if it does nothing.
     bool cancelGesture();
     [[nodiscard]] bool isGesturing() const { return gesture_ != nullptr; }
@@ -42,11 +48,18 @@ class RenderView : public QWidget, public PictureSource {
     void toolsChanged(const glint::ToolOptions& tools);
     /// A right click without a drag.
     void menuRequested(const QPoint& globalAt);
+    /// A pixel of the picture is to be explained.
+    void inspectRequested(const QPoint& pixel);
     /// One line about the running gesture; empty when it ends.
     void readoutChanged(const QString& text);
+    /// The pointer is over this pixel of the picture; (-1, -1) when it has left.
+    void pixelHovered(const QPoint& pixel);
 
   protected:
     bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -69,12 +82,16 @@ class RenderView : public QWidget, public PictureSource {
     [[nodiscard]] QRectF pictureRect() const;
     void paintOverlay(QPainter& painter) const;
     void paintHints(QPainter& painter) const;
+    [[nodiscard]] QString hint() const;
+    void watchWindow();
 
     ViewContext context_;
     SelectionOutline* outline_;
     std::unique_ptr<Gesture> gesture_;
     Qt::MouseButton gestureButton_ = Qt::NoButton;  ///< NoButton: follows until a click
+    QPointF pressedAt_;
     Handle hovered_ = Handle::None;
+    bool regionComes_ = false;  ///< the next drag is a region
     bool overlayShown_ = true, gridShown_ = false;
     QTimer wheelTimer_;  ///< runs while wheel steps count as one move of the view
 };

@@ -9,6 +9,7 @@
 
 #include "gui/app/text.h"
 #include "gui/widgets/icons.h"
+#include "tracer/compile/render_scene.h"
 
 namespace glint {
 
@@ -24,6 +25,15 @@ QString stateText(const SessionFrame& frame) {
     if (frame.state == SessionState::Paused) return StatusLine::tr("paused");
     if (frame.state == SessionState::Converged) return StatusLine::tr("done");
     return frame.spp == 0 ? StatusLine::tr("preview") : QString();
+}
+
+QString errorText(double share) { return StatusLine::tr("± %1 %").arg(100 * share, 0, 'g', 2); }
+
+/// "41 s, 1 % in 12 s": the time so far, and what is still to come.
+QString timeText(const SessionFrame& frame) {
+    const QString spent = duration(frame.seconds);
+    if (frame.state != SessionState::Rendering || !std::isfinite(frame.remainingSeconds)) return spent;
+    return StatusLine::tr("%1, done in %2").arg(spent, duration(frame.remainingSeconds));
 }
 
 /// "glint::Path<2>"-like names and feature lists belong into the tool tip.
@@ -62,16 +72,35 @@ void StatusLine::showFrame(const SessionFrame& frame) {
     const QString state = stateText(frame);
     if (!state.isEmpty()) parts << state;
     parts << (frame.sppTarget > 0 ? tr("%1 / %2 spp").arg(frame.spp).arg(frame.sppTarget) : tr("%1 spp").arg(frame.spp));
-    if (std::isfinite(frame.error)) parts << tr("± %1 %").arg(100 * frame.error, 0, 'g', 2);
-    parts << duration(frame.seconds);
+    if (std::isfinite(frame.error)) parts << errorText(frame.error);
+    parts << timeText(frame);
+    if (frame.filtered) parts << tr("filtered");
+    if (frame.region) parts << tr("region");
+    if (frame.scene && frame.scene->settings.clamp > 0) parts << tr("clamped, hence biased");
     if (frame.raysPerSecond > 0) parts << tr("%1 Mray/s").arg(frame.raysPerSecond / 1e6, 0, 'f', 1);
     if (!frame.kernel.empty()) parts << toQString(frame.kernel);
     if (frame.nonfiniteSamples > 0) parts << tr("%n faulty sample(s)", nullptr, static_cast<int>(frame.nonfiniteSamples));
-    state_->setText(parts.join(QStringLiteral("  ·  ")));
+    stateText_ = parts.join(QStringLiteral("  ·  "));
+    errors_ = frame.errors;
+    showState();
     state_->setToolTip(details(frame));
     size_ = tr("%1 × %2 px").arg(frame.width).arg(frame.height);
     showSelection(selectionText_);
     showWarnings(frame.warnings);
+}
+
+void StatusLine::showPixel(const QPoint& pixel) {
+    if (pixel == pixel_) return;
+    pixel_ = pixel;
+    showState();
+}
+
+void StatusLine::showState() {
+    QString text = stateText_;
+    if (pixel_.x() >= 0 && pixel_.y() >= 0)
+        if (const auto error = errors_.at(pixel_.x(), pixel_.y()))
+            text += QStringLiteral("  ·  ") + tr("%1 at the pointer").arg(errorText(static_cast<double>(*error)));
+    if (text != state_->text()) state_->setText(text);
 }
 
 void StatusLine::showSelection(const QString& text) {

@@ -1,6 +1,7 @@
 // StatusLine: what the program is doing and how good the picture is.
 #pragma once
 
+#include <QPoint>
 #include <QWidget>
 #include <vector>
 
@@ -18,18 +19,23 @@ class StatusLine : public QWidget {
     explicit StatusLine(QWidget* parent = nullptr);
 
     void showFrame(const SessionFrame& frame);
+    /// The error at a pixel of the picture is told with the frame; none is (-1, -1).
+    void showPixel(const QPoint& pixel);
     void showSelection(const QString& text);
     [[nodiscard]] QString text() const;
 
   private:
     void showWarnings(const std::vector<Error>& warnings);
     void openWarnings();
+    void showState();
 
     QLabel* state_;
     QLabel* selection_;
     QToolButton* warningButton_;
     std::vector<Error> warnings_;
-    QString size_, selectionText_;
+    QString size_, selectionText_, stateText_;
+    TileErrors errors_;
+    QPoint pixel_{-1, -1};
 };
 
 }  // namespace glint

@@ -15,6 +15,7 @@
 #include "tracer/io/render_stats.h"
 #include "tracer/io/rendering_file.h"
 #include "tracer/io/scene_json.h"
+#include "tracer/render/path_record.h"
 #include "tracer/render/render.h"
 #include "tracer/render/skips.h"
 
@@ -93,8 +94,11 @@ std::optional<Error> outputProblem(const Options& options) {
     return std::nullopt;
 }
 
-ExitCode printPixel(const RenderScene& scene, const SamplePlace& place) {
-    const Rgb value = renderSample(scene, place);
+/// The tree of paths on the error stream, the value alone on the other, for programs.
+ExitCode printPixel(const RenderScene& scene, const Scene& document, const SamplePlace& place, bool quiet) {
+    const PathRecord record = recordSample(scene, place);
+    const Rgb value = record.value;
+    if (!quiet) std::fputs(pathText(record, document).c_str(), stderr);
     std::printf("%.9g %.9g %.9g\n", static_cast<double>(value.x), static_cast<double>(value.y),
                 static_cast<double>(value.z));
     return ExitCode::Done;
@@ -164,7 +168,7 @@ ExitCode run(const Options& options) {
     const auto compiled = compile(sceneFor(scene.value(), options.picture), options.scene.parent_path(), assets);
     if (!compiled) return fail(compiled.error(), ExitCode::Scene);
     if (reportWarnings(compiled.value())) return ExitCode::Scene;
-    if (options.pixel) return printPixel(*compiled.value().scene, *options.pixel);
+    if (options.pixel) return printPixel(*compiled.value().scene, scene.value(), *options.pixel, options.quiet);
     if (const auto problem = memoryProblem(*compiled.value().scene, options.picture.layers)) return fail(*problem, ExitCode::Scene);
     return renderToFiles(options, scene.value(), compiled.value(), secondsSince(start), stop);
 }

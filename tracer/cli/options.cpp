@@ -101,11 +101,14 @@ void addProgramOptions(CLI::App& app, Options& options) {
                const auto place = integers<3>(text, ',', "X,Y,SAMPLE");
                options.pixel = SamplePlace{place[0], place[1], place[2]};
            },
-           "Print the value of one sample instead of rendering")
+           "Print the paths of one sample and its value instead of rendering")
         ->type_name("X,Y,SAMPLE");
     app.add_flag("--layers", options.picture.layers,
                  "Write light, albedo, normal, depth, position, ids, sample count and error as "
                  "layers of the .exr");
+    app.add_flag("--filter", options.picture.filter,
+                 "Denoise for a preview: the layer filtered of an .exr beside the picture, else the "
+                 "picture itself, which then says so in its metadata");
     app.add_option("--stats", options.stats, "Write statistics as JSON")->type_name("FILE");
     app.add_flag("--quiet", options.quiet, "No progress and no summary");
     app.add_option("--bits", options.picture.bits,

@@ -32,7 +32,7 @@ DisplayImage displayed(const Rendering& rendering, const Display& display, int b
     const DisplayTransform transform({display.exposureEv, display.view});
     const bool withAlpha = !rendering.alpha.empty();
     DisplayImage out{rendering.beauty.width, rendering.beauty.height, withAlpha ? 4 : 3, bits, {}};
-    const std::vector<float>& rgb = rendering.beauty.rgb;
+    const std::vector<float>& rgb = rendering.filtered.rgb.empty() ? rendering.beauty.rgb : rendering.filtered.rgb;
     out.codes.reserve(rgb.size() / 3 * static_cast<std::size_t>(out.channels));
     const float most = bits == 16 ? 65535 : 255;
     for (std::size_t i = 0; 3 * i + 2 < rgb.size(); ++i) {
@@ -49,14 +49,19 @@ DisplayImage displayed(const Rendering& rendering, const Display& display, int b
     return out;
 }
 
+void appendRgb(const Image& image, const std::string& prefix, std::vector<ExrChannel>& out) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        ExrChannel channel{prefix + "RGB"[c], {}};
+        for (std::size_t i = c; i < image.rgb.size(); i += 3) channel.values.push_back(image.rgb[i]);
+        out.push_back(std::move(channel));
+    }
+}
+
 ExrFile linear(const Rendering& rendering, bool half) {
     const Image& image = rendering.beauty;
     ExrFile out{image.width, image.height, rendering.layers, {}, half};
-    if (out.channels.empty()) {
-        for (const char* name : {"R", "G", "B"}) out.channels.push_back({name, {}});
-        for (std::size_t c = 0; c < 3; ++c)
-            for (std::size_t i = c; i < image.rgb.size(); i += 3) out.channels[c].values.push_back(image.rgb[i]);
-    }
+    if (out.channels.empty()) appendRgb(image, "", out.channels);
+    if (!rendering.filtered.rgb.empty()) appendRgb(rendering.filtered, "filtered.", out.channels);
     if (!rendering.alpha.empty()) out.channels.push_back({"A", rendering.alpha});
     return out;
 }
@@ -72,6 +77,7 @@ ImageMetadata metadataFor(const Scene& scene, const Rendering& rendering, const 
     if (options.crop) out["glint:crop"] = textOf(*options.crop);
     if (options.layers) out["glint:layers"] = "yes";
     if (options.transparent) out["glint:transparent"] = "yes";
+    if (options.filter) out["glint:filtered"] = "a-trous preview";
     if (!rendering.even) out["glint:uneven"] = "yes";
     if (scene.render.clamp > 0) out["glint:biased"] = "clamp " + std::to_string(scene.render.clamp);
     return out;
@@ -90,6 +96,7 @@ Status checkPicture(const std::filesystem::path& path, const PictureOptions& opt
     }
     if (options.layers && (!isLinearFormat(path) || !holdsAlpha(path))) return fail("cannot hold layers", "write a .exr");
     if (options.transparent && !holdsAlpha(path)) return fail("cannot be transparent", "write a .png, .tif or .exr");
+    if (options.filter && isLinearFormat(path) && !holdsAlpha(path)) return fail("cannot say that it is filtered", "write a .exr or .png");
     const std::vector<int> depths = bitDepths(path);
     if (options.bits == 0 || std::find(depths.begin(), depths.end(), options.bits) != depths.end()) return Done{};
     std::string possible;
@@ -107,6 +114,7 @@ RenderRequest requestFor(const PictureOptions& options) {
     out.crop = options.crop;
     out.layers = options.layers;
     out.alpha = options.transparent;
+    out.filter = options.filter;
     return out;
 }
 
@@ -139,6 +147,7 @@ Result<PictureRecipe> recipeOf(const ImageMetadata& metadata, const std::filesys
     out.options.bits = number("bits");
     out.options.transparent = !text("transparent").empty();
     out.options.layers = !text("layers").empty();
+    out.options.filter = !text("filtered").empty();
     if (const std::string crop = text("crop"); !crop.empty()) out.options.crop = rectOf(crop);
     return out;
 }

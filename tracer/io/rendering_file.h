@@ -15,6 +15,7 @@ struct PictureOptions {
     int bits = 0;              ///< a channel: 8, 16 or 32; 0: what is usual for the format
     bool transparent = false;  ///< the environment behind the objects becomes an alpha channel
     bool layers = false;       ///< light, albedo, normal ... beside the picture, see layers.h
+    bool filter = false;       ///< denoised for a preview: layers filtered.R, .G, .B of an .exr, elsewhere in place of the picture
     std::optional<PixelRect> crop;  ///< the rest stays black, or clear
     bool operator==(const PictureOptions&) const = default;
 };
@@ -31,7 +32,7 @@ struct PictureOptions {
 /// Writes by the ending of `path`, whole or not at all: linear light to .exr and .hdr, else through `scene`'s display settings.
 /// Colours are multiplied by alpha in .exr and not in others, as is usual. `scene` is the one before sceneFor().
 /// Metadata: glint:sceneHash (of worldOf()), glint:settings, glint:spp, glint:seed, glint:version,
-/// glint:features, and where they apply glint:bits, glint:crop, glint:layers, glint:transparent, glint:biased, glint:uneven.
+/// glint:features, and where they apply glint:bits, glint:crop, glint:layers, glint:transparent, glint:filtered, glint:biased, glint:uneven.
 [[nodiscard]] Status saveRendering(const std::filesystem::path& path, const Scene& scene, const Rendering& rendering,
                                    const PictureOptions& options = {}, const std::string& features = {});
 

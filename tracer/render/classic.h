@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tracer/render/layers.h"
+#include "tracer/render/path_record.h"
 #include "tracer/render/shadow.h"
 
 namespace glint {
@@ -19,7 +20,9 @@ class ClassicTracer {
         MediaStack media;
         if constexpr (has(F, Feature::Media)) media = scene_.cameraMedia;
         ++state_.rays.primary;
-        trace({cameraRay, media, Rgb(1.0f), 1.0f, 0, 1, true, true});
+        Branch first{cameraRay, media, Rgb(1.0f), 1.0f, 0, 1, true, true};
+        record([&](PathRecord& r) { first.vertex = r.leave(-1, PathEvent::Camera, Rgb(1.0f), 1); });
+        trace(first);
         return sum_;
     }
 
@@ -33,14 +36,24 @@ class ClassicTracer {
         std::uint32_t key;         ///< place in the tree of rays: the children of k are 32 k + 1, 32 k + 2 ...
         bool straightFromCamera;
         bool seesLights;           ///< false behind a rough lobe, which has taken the lights' share directly
+        int vertex = -1;           ///< the record's (layers only)
     };
 
     /// Branches dimmer than this go on by chance, with their weight made up for: a tree of glass would grow without end.
     static constexpr float kDim = 0.01f;
 
-    void add(std::uint8_t group, const Rgb& value) {
+    /// Tells the record, if one is kept (layers only).
+    template <class Tell>
+    void record(Tell&& tell) {
+        if constexpr (has(F, Feature::Layers))
+            if (state_.record) tell(*state_.record);
+    }
+
+    /// Light found at the end of the branch; `light` is the source if it was sampled, of which `visible` comes through.
+    void add(const Branch& branch, PathLight::Kind kind, std::uint8_t group, const Rgb& value, std::uint32_t light = ~0u, const Rgb& visible = Rgb(1.0f)) {
         sum_ += value;
         state_.addToGroup(group, value);
+        record([&](PathRecord& r) { r.add(branch.vertex, scene_, kind, light, visible, value); });
     }
 
     /// Adds the light that arrives along the branch.
@@ -50,6 +63,7 @@ class ClassicTracer {
         if constexpr (has(F, Feature::Media))
             if (!branch.media.empty())
                 branch.weight *= transmittance<F>(mediumOf(scene_, fillingShape(scene_, branch.media)), hit.t, state_.work);
+        record([&](PathRecord& r) { r.travel(branch.vertex, hit.t, mediumOf(scene_, fillingShape(scene_, branch.media))); });
         if (!hit.found()) return addSky(branch);
         const SurfacePoint point = surfacePoint(scene_, branch.ray, hit, branch.media);
         const CompiledMaterial& material = scene_.materials[point.instance(scene_).material];
@@ -61,6 +75,7 @@ class ClassicTracer {
         }
         if constexpr (has(F, Feature::Layers))
             if (branch.depth == 0) describeSurface(scene_, point, *state_.layers, state_.work);
+        record([&](PathRecord& r) { r.arrive(branch.vertex, scene_, point, branch.weight); });
         if (branch.seesLights) addEmission(branch, point);
         if (branch.depth >= scene_.settings.maxDepth) return;
         if (material.hasSmooth()) addDirect(branch, point, material);
@@ -72,11 +87,11 @@ class ClassicTracer {
         ++state_.work[Work::SkyLookups];
         const CompiledEnvironment& environment = scene_.lights.environment;
         if (!environment.isBlack() && !(branch.straightFromCamera && !environment.visibleToCamera))
-            add(environment.group, branch.weight * seenInSky(environment, branch.ray.direction));
+            add(branch, PathLight::Kind::Environment, environment.group, branch.weight * seenInSky(environment, branch.ray.direction));
         if (!branch.seesLights) return;
         for (const std::uint32_t sun : scene_.lights.sunDiscs) {
             const CompiledLight& light = scene_.lights.lights[sun];
-            if (light.discHolds(branch.ray.direction)) add(light.group, branch.weight * light.emission);
+            if (light.discHolds(branch.ray.direction)) add(branch, PathLight::Kind::Environment, light.group, branch.weight * light.emission);
         }
     }
 
@@ -91,7 +106,7 @@ class ClassicTracer {
         const std::uint32_t light = point.instance(scene_).light;
         if (light == ~0u) return;
         const CompiledLight& emitter = scene_.lights.lights[light];
-        if (point.outside || emitter.twoSided) add(emitter.group, branch.weight * emitter.emission);
+        if (point.outside || emitter.twoSided) add(branch, PathLight::Kind::Emission, emitter.group, branch.weight * emitter.emission);
     }
 
     /// Light straight from every source but the environment.
@@ -112,7 +127,8 @@ class ClassicTracer {
             const Ray ray{point.position, s.wi, point.shape, wi.z < 0};
             const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(state_, point, branch.media, wi), s.distance, s.shape,
                                                      scene_.settings.maxDepth - branch.depth - 1, scene_.settings.transparentShadows);
-            add(scene_.lights.lights[i].group, branch.weight * f.f * s.radiance * share * static_cast<float>(std::abs(wi.z) / s.pdf));
+            const Rgb value = branch.weight * f.f * s.radiance * share * static_cast<float>(std::abs(wi.z) / s.pdf);
+            add(branch, PathLight::Kind::Direct, scene_.lights.lights[i].group, value, i, share);
         }
     }
 
@@ -131,13 +147,15 @@ class ClassicTracer {
         Branch next{point.ray(way.wi), mediaBeyond<F>(state_, point, branch.media, way.wi), branch.weight * way.weight,
                     branch.importance * maxComponent(way.weight), branch.depth + 1,
                     branch.key * 32 + static_cast<std::uint32_t>(number) + 1, branch.straightFromCamera && way.straight, seesLights};
+        float chance = 1;
         if (next.importance < kDim) {
-            const float chance = next.importance / kDim;
+            chance = next.importance / kDim;
             if (sampler_.block(sobol::mix(next.key) ^ sampleBlock(SampleUse::Bsdf, 0, 0)).x >= chance) return;
             next.weight /= chance;
             next.importance = kDim;
         }
         ++state_.rays.scatter;
+        record([&](PathRecord& r) { next.vertex = r.leave(branch.vertex, eventOf(point, way), way.weight, static_cast<double>(chance)); });
         trace(next);
     }
 

@@ -35,7 +35,7 @@ struct TileErrors {
     /// The tile's bound at a pixel.
     [[nodiscard]] std::optional<float> at(int x, int y) const {
         const auto i = static_cast<std::size_t>(y / kTile * columns + x / kTile);
-        if (columns == 0 || i >= bounds.size() || bounds[i] < 0) return std::nullopt;
+        if (x < 0 || y < 0 || x / kTile >= columns || i >= bounds.size() || bounds[i] < 0) return std::nullopt;
         return bounds[i];
     }
 };

@@ -15,9 +15,9 @@ const DeltaBranch& brightest(const Branches& branches) {
                              [](const DeltaBranch& a, const DeltaBranch& b) { return Branches::size(a) < Branches::size(b); });
 }
 
-void describeFirst(const RenderScene& scene, const SurfacePoint& point, GuideSample& out) {
+void describeFirst(const RenderScene& scene, const SurfacePoint& point, WorkCounts& work, GuideSample& out) {
     LayerSample surface;
-    describeSurface(scene, point, surface);
+    describeSurface(scene, point, surface, work);
     out.albedo = surface.albedo;
     out.normal = surface.normal;
     out.position = surface.position;
@@ -30,30 +30,31 @@ void describeFirst(const RenderScene& scene, const SurfacePoint& point, GuideSam
 
 GuideSample traceGuide(const RenderScene& scene, int x, int y, std::uint32_t sample) {
     constexpr int kMostSurfaces = 24;  // hidden boundaries included
+    KernelState state{.scene = scene, .cancel = {}, .rays = {}};
     GuideSample out;
     out.depth = std::numeric_limits<float>::infinity();
-    Ray ray = cameraRay<kAllFeatures>(scene, samplerFor(scene, x, y, sample), x, y);
+    Ray ray = cameraRay<kAllFeatures>(scene, samplerFor(scene, x, y, sample), x, y, state.work);
     MediaStack media = scene.cameraMedia;
     double way = 0;
     bool first = true;
     for (int surfaces = 0; surfaces < kMostSurfaces; ++surfaces) {
-        const ShapeHit hit = scene.lists.closest(ray, media);
+        const ShapeHit hit = scene.lists.closest(ray, media, kInfinity, state.work);
         if (!hit.found()) break;
         way += hit.t;
-        out.seenAlbedo *= transmittance(mediumOf(scene, fillingShape(scene, media)), hit.t);
+        out.seenAlbedo *= transmittance<kAllFeatures>(mediumOf(scene, fillingShape(scene, media)), hit.t, state.work);
         const SurfacePoint point = surfacePoint(scene, ray, hit, media);
         if (point.hidden) {
             ray = {point.position, ray.direction, point.shape, point.outside};
             media.cross(point.shape);
             continue;
         }
-        if (first) describeFirst(scene, point, out);
+        if (first) describeFirst(scene, point, state.work, out);
         first = false;
         const CompiledMaterial& material = scene.materials[point.instance(scene).material];
-        const Branches branches = material.hasDelta ? deltaBranches(material, point.wo, point.eta) : Branches{};
+        const Branches branches = material.hasDelta ? deltaBranches(material, point.wo, point.eta, state.work) : Branches{};
         if (material.smoothAlbedo >= branches.total) {
             LayerSample surface;
-            describeSurface(scene, point, surface);
+            describeSurface(scene, point, surface, state.work);
             out.seenAlbedo *= surface.albedo;
             out.seenNormal = point.outside ? surface.normal : -surface.normal;
             out.seenNearness = static_cast<float>(1 / way);
@@ -61,7 +62,7 @@ GuideSample traceGuide(const RenderScene& scene, int x, int y, std::uint32_t sam
         }
         const DeltaBranch& branch = brightest(branches);
         out.seenAlbedo *= branch.weight / branch.scale;
-        media = mediaBeyond<kAllFeatures>(scene, point, media, branch.wi);
+        media = mediaBeyond<kAllFeatures>(state, point, media, branch.wi);
         ray = branch.straight ? Ray{point.position, ray.direction, point.shape, branch.wi.z < 0} : point.ray(branch.wi);
     }
     out.seenNormal = -toFloat(ray.direction);

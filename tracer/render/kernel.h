@@ -23,6 +23,7 @@ struct CancelToken {
 };
 
 struct LayerSample;
+struct PathRecord;
 
 /// One sample's light by light group.
 using GroupLight = std::array<Rgb, kMaxLightGroups>;
@@ -34,6 +35,7 @@ struct KernelState {
     RayCounts rays;
     bool cancelled = false;  ///< the last sample was given up: throw its value away
     LayerSample* layers = nullptr;  ///< filled by kernels with Feature::Layers
+    PathRecord* record = nullptr;   ///< if not null: filled by kernels with Feature::Layers, see path_record.h
     GroupLight* groups = nullptr;   ///< if not null: filled with the sample's light by group
     std::uint64_t materials = 0;    ///< set of the materials whose values the sample rests on, see materialBit()
     WorkCounts work;

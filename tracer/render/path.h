@@ -4,6 +4,7 @@
 #pragma once
 
 #include "tracer/render/layers.h"
+#include "tracer/render/path_record.h"
 #include "tracer/render/shadow.h"
 
 namespace glint {
@@ -32,6 +33,7 @@ class PathTracer {
         first.ray = cameraRay;
         if constexpr (has(F, Feature::Media)) first.media = scene_.cameraMedia;
         ++state_.rays.primary;
+        record([&](PathRecord& r) { first.vertex = r.leave(-1, PathEvent::Camera, Rgb(1.0f), 1); });
         follow(first);
         if constexpr (has(F, Feature::Delta)) {
             if (splitPending_) {
@@ -60,6 +62,7 @@ class PathTracer {
         bool maySplit = true;
         LobeShares shares{};      ///< of the lobes by which light left the first surface (layers only)
         int bounces = 0;          ///< turns so far: interactions that did not let the path straight on (layers only)
+        int vertex = -1;          ///< the record's (layers only)
     };
 
     static constexpr bool kSamplesLights = has(F, Feature::DeltaLights) || has(F, Feature::AreaLights) || has(F, Feature::SampledSky);
@@ -77,6 +80,7 @@ class PathTracer {
             if constexpr (has(F, Feature::Media))
                 if (!path.media.empty())
                     path.throughput *= transmittance<F>(mediumOf(scene_, fillingShape(scene_, path.media)), hit.t, state_.work);
+            record([&](PathRecord& r) { r.travel(path.vertex, hit.t, mediumOf(scene_, fillingShape(scene_, path.media))); });
             if (!hit.found()) return addSky(path);
             const SurfacePoint point = surfacePoint(scene_, path.ray, hit, path.media);
             state_.materials |= scene_.materials[point.instance(scene_).material].bit;
@@ -91,6 +95,7 @@ class PathTracer {
             }
             if constexpr (has(F, Feature::Layers))
                 if (path.depth == 0) describeSurface(scene_, point, *state_.layers, state_.work);
+            record([&](PathRecord& r) { r.arrive(path.vertex, scene_, point, path.throughput); });
             if constexpr (has(F, Feature::AreaLights)) addEmission(path, point);
             if (path.depth >= scene_.settings.maxDepth || !scatter(path, point)) return;
         }
@@ -142,10 +147,21 @@ class PathTracer {
             add(path, LightLayer::Emission, emitter.group, path.throughput * emitter.emission * foundWeight(path, light));
     }
 
+    /// Tells the record, if one is kept (layers only).
+    template <class Tell>
+    void record(Tell&& tell) {
+        if constexpr (has(F, Feature::Layers))
+            if (state_.record) tell(*state_.record);
+    }
+    void recordBranch(Path& path, const SurfacePoint& point, const DeltaBranch& branch, double chance) {
+        record([&](PathRecord& r) { path.vertex = r.leave(path.vertex, eventOf(point, branch), branch.weight, chance); });
+    }
+
     /// Light found where the path has come to; `seen` is its layer if the camera sees it there itself.
     void add(const Path& path, LightLayer seen, std::uint8_t group, const Rgb& value) {
         sum_ += value;
         state_.addToGroup(group, value);
+        record([&](PathRecord& r) { r.add(path.vertex, scene_, seen == LightLayer::Emission ? PathLight::Kind::Emission : PathLight::Kind::Environment, ~0u, Rgb(1.0f), value); });
         if constexpr (has(F, Feature::Layers)) {
             if (path.bounces == 0)
                 state_.layers->add(seen, value);
@@ -176,6 +192,7 @@ class PathTracer {
                 const float leafChoice = std::min(choice / material.smoothAlbedo, 0x1.fffffep-1f);
                 const BsdfSample s = sampleSmooth<F>(material, point.wo, {u.x, u.y, u.z}, leafChoice, point.eta, state_.work);
                 if (!(s.pdf > 0)) return false;
+                record([&](PathRecord& r) { path.vertex = r.leave(path.vertex, PathEvent::Smooth, s.f * (std::abs(s.wi.z) / s.pdf), static_cast<double>(smoothChance)); });
                 path.throughput *= s.f * (std::abs(s.wi.z) / (s.pdf * smoothChance));
                 path.pdf = static_cast<double>(s.pdf) * smoothChance;
                 path.from = point.position;
@@ -190,6 +207,7 @@ class PathTracer {
             }
         } else {
             const DeltaBranch& branch = branches.pick(choice - material.smoothAlbedo);
+            recordBranch(path, point, branch, static_cast<double>(Branches::size(branch) / total));
             path.throughput *= branch.weight * (total / Branches::size(branch));
             takeBranch(path, point, branch);
         }
@@ -202,9 +220,11 @@ class PathTracer {
         split_ = path;
         split_.branch = 1;
         split_.throughput *= branches.at[1].weight;
+        recordBranch(split_, point, branches.at[1], 1);
         takeBranch(split_, point, branches.at[1]);
         splitPending_ = survives(split_);
         path.throughput *= branches.at[0].weight;
+        recordBranch(path, point, branches.at[0], 1);
         takeBranch(path, point, branches.at[0]);
         return survives(path);
     }
@@ -244,6 +264,7 @@ class PathTracer {
         const SampleBlock u = sampler_.block(sampleBlock(SampleUse::Light, path.depth - 1, path.branch, 63));
         if (u.x >= chance) return false;
         path.throughput /= chance;
+        record([&](PathRecord& r) { r.vertices[static_cast<std::size_t>(path.vertex)].chance *= static_cast<double>(chance); });
         return true;
     }
 
@@ -296,6 +317,7 @@ class PathTracer {
         const Rgb value = path.throughput * f.f * s.radiance * share * static_cast<float>(weight * std::abs(wi.z) / density);
         sum_ += value;
         state_.addToGroup(scene_.lights.lights[light].group, value);
+        record([&](PathRecord& r) { r.add(path.vertex, scene_, PathLight::Kind::Direct, light, share, value); });
         if constexpr (has(F, Feature::Layers))
             state_.layers->add(path.bounces == 0 ? smoothShares(material, point.wo, wi, point.eta) : path.shares, path.bounces == 0, value);
     }

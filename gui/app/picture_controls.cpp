@@ -1,0 +1,54 @@
+#include "gui/app/picture_controls.h"
+
+#include <QActionGroup>
+
+#include "gui/app/actions.h"
+#include "gui/app/document.h"
+#include "gui/app/renderer.h"
+#include "gui/app/selection.h"
+#include "gui/viewport/render_view.h"
+
+namespace glint {
+
+const char* const kChannelActions[kChannels] = {"channel.beauty", "channel.albedo",   "channel.normal",  "channel.depth", "channel.position",
+                                                "channel.object", "channel.material", "channel.samples", "channel.error", "channel.luminance"};
+
+PictureControls::PictureControls(Actions& actions, Renderer& renderer, RenderView& view, Document& document, Selection& selection, QObject* parent)
+    : QObject(parent), actions_(actions), renderer_(renderer), view_(view), document_(document), selection_(selection) {
+    connectChannels();
+    connect(actions["view.filter"], &QAction::triggered, &renderer, &Renderer::setFiltered);
+    connect(actions["view.region"], &QAction::triggered, &view, &RenderView::beginRegion);
+    connect(actions["view.regionClear"], &QAction::triggered, &renderer, [this] { renderer_.setRegion(std::nullopt); });
+    connect(actions["view.isolate"], &QAction::triggered, this, &PictureControls::toggleIsolation);
+    connect(&renderer, &Renderer::viewChanged, this, &PictureControls::showState);
+    connect(&selection, &Selection::changed, this, &PictureControls::showState);
+    showState();
+}
+
+// Digits are for the picture only while it has the focus: elsewhere they may be typed.
+void PictureControls::connectChannels() {
+    auto* group = new QActionGroup(this);
+    for (std::size_t i = 0; i < kChannels; ++i) {
+        QAction* action = actions_[kChannelActions[i]];
+        group->addAction(action);
+        action->setShortcutContext(Qt::WidgetShortcut);
+        view_.addAction(action);
+        connect(action, &QAction::triggered, &renderer_, [this, i] { renderer_.setChannel(static_cast<Channel>(i)); });
+    }
+}
+
+void PictureControls::toggleIsolation(bool on) {
+    std::vector<ObjectId> objects;
+    if (on) objects = objectsWithin(document_.scene(), selection_.items());
+    renderer_.setIsolated(std::move(objects));
+}
+
+void PictureControls::showState() {
+    actions_[kChannelActions[static_cast<std::size_t>(renderer_.channel())]]->setChecked(true);
+    actions_["view.filter"]->setChecked(renderer_.isFiltered());
+    actions_["view.regionClear"]->setEnabled(renderer_.region().has_value());
+    actions_["view.isolate"]->setChecked(renderer_.isIsolated());
+    actions_["view.isolate"]->setEnabled(renderer_.isIsolated() || !selection_.isEmpty());
+}
+
+}  // namespace glint
