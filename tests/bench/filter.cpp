@@ -8,7 +8,7 @@
 
 #include "tests/bench/clock.h"
 #include "tests/bench/output.h"
-#include "tests/bench/statistics.h"
+#include "tracer/math/statistics.h"
 #include "tracer/compile/compiler.h"
 #include "tracer/io/scene_json.h"
 #include "tracer/render/picture_error.h"
