@@ -1175,6 +1175,13 @@
     </message>
 </context>
 <context>
+    <name>RegionGesture</name>
+    <message>
+        <source>Region %1 × %2 px</source>
+        <translation>区域 %1 × %2 像素</translation>
+    </message>
+</context>
+<context>
     <name>SceneTitle</name>
     <message>
         <source>Studio</source>
@@ -1223,6 +1230,73 @@
     <message>
         <source>Still life</source>
         <translation>静物</translation>
+    </message>
+</context>
+<context>
+    <name>glint</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 米</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 EV</source>
+        <translation>%1 EV</translation>
+    </message>
+    <message>
+        <source>red x, green y, blue z: −1 to 1</source>
+        <translation>红 x、绿 y、蓝 z：−1 至 1</translation>
+    </message>
+    <message>
+        <source>red x, green y, blue z: from the least to the largest in view</source>
+        <translation>红 x、绿 y、蓝 z：视图中最小值至最大值</translation>
+    </message>
+    <message>
+        <source>one colour each</source>
+        <translation>各一种颜色</translation>
+    </message>
+    <message>
+        <source>Beauty</source>
+        <translation>成图</translation>
+    </message>
+    <message>
+        <source>Albedo</source>
+        <translation>反照率</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>法线</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>材质</translation>
+    </message>
+    <message>
+        <source>Samples a pixel</source>
+        <translation>每像素采样</translation>
+    </message>
+    <message>
+        <source>Error (95 % bound)</source>
+        <translation>误差（95 % 上限）</translation>
+    </message>
+    <message>
+        <source>Luminance, stops from middle grey</source>
+        <translation>亮度，相对中灰的档数</translation>
     </message>
 </context>
 <context>
@@ -1652,6 +1726,134 @@
         <translation>添加剪贴板中的内容</translation>
     </message>
     <message>
+        <source>Hide the &amp;rest</source>
+        <translation>隐藏其余(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Hide every object but the selected ones</source>
+        <translation>隐藏所选以外的所有对象</translation>
+    </message>
+    <message>
+        <source>&amp;Filtered</source>
+        <translation>滤波(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Show the picture denoised; samples, error and files stay as they are</source>
+        <translation>显示降噪后的画面；采样、误差和文件保持不变</translation>
+    </message>
+    <message>
+        <source>&amp;Region</source>
+        <translation>区域(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Mark the only part of the picture that is rendered on; the rest stays</source>
+        <translation>标出继续渲染的画面部分；其余保持不变</translation>
+    </message>
+    <message>
+        <source>Whole pic&amp;ture</source>
+        <translation>整幅画面(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Render the whole picture again</source>
+        <translation>重新渲染整幅画面</translation>
+    </message>
+    <message>
+        <source>Render se&amp;lected only</source>
+        <translation>仅渲染所选(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Show the picture with nothing but the selected objects and the lights</source>
+        <translation>画面中只显示所选对象和灯光</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect pixel</source>
+        <translation>检查像素(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Explain the pixel under the pointer: its paths and what light they found (Alt+click)</source>
+        <translation>解释指针下的像素：它的路径及其找到的光（Alt+单击）</translation>
+    </message>
+    <message>
+        <source>&amp;Beauty</source>
+        <translation>成图(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the picture</source>
+        <translation>显示画面</translation>
+    </message>
+    <message>
+        <source>&amp;Albedo</source>
+        <translation>反照率(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Show what share of light the surfaces send back</source>
+        <translation>显示表面反射光的比例</translation>
+    </message>
+    <message>
+        <source>&amp;Normal</source>
+        <translation>法线(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Show which way the surfaces face</source>
+        <translation>显示表面的朝向</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>深度(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show how far the surfaces are</source>
+        <translation>显示表面的距离</translation>
+    </message>
+    <message>
+        <source>&amp;Position</source>
+        <translation>位置(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show where the surfaces are</source>
+        <translation>显示表面的位置</translation>
+    </message>
+    <message>
+        <source>&amp;Objects</source>
+        <translation>对象(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show a colour for each object</source>
+        <translation>每个对象显示一种颜色</translation>
+    </message>
+    <message>
+        <source>&amp;Materials</source>
+        <translation>材质(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Show a colour for each material</source>
+        <translation>每种材质显示一种颜色</translation>
+    </message>
+    <message>
+        <source>&amp;Samples</source>
+        <translation>采样(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show how many samples each pixel has</source>
+        <translation>显示每个像素的采样数</translation>
+    </message>
+    <message>
+        <source>&amp;Error</source>
+        <translation>误差(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Show how good each part of the picture is: the 95 % bound of its error</source>
+        <translation>显示画面各部分的质量：误差的 95 % 上限</translation>
+    </message>
+    <message>
+        <source>&amp;Luminance</source>
+        <translation>亮度(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Show brightness in stops from middle grey</source>
+        <translation>以相对中灰的档数显示亮度</translation>
+    </message>
+    <message>
         <source>E&amp;rror report…</source>
         <translation>误差报告(&amp;R)…</translation>
     </message>
@@ -1829,6 +2031,10 @@
     <message>
         <source>Add camera</source>
         <translation>添加相机</translation>
+    </message>
+    <message>
+        <source>Hide the rest</source>
+        <translation>隐藏其余</translation>
     </message>
 </context>
 <context>
@@ -2479,6 +2685,18 @@ MIT 许可证。</translation>
         <source>Discard</source>
         <translation>丢弃</translation>
     </message>
+    <message>
+        <source>Pixel</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>&amp;Channel</source>
+        <translation>通道(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect pixel</source>
+        <translation>检查像素(&amp;I)</translation>
+    </message>
 </context>
 <context>
     <name>glint::MaterialDrop</name>
@@ -2679,6 +2897,49 @@ Drag it onto an object</source>
     </message>
 </context>
 <context>
+    <name>glint::PixelInspector</name>
+    <message>
+        <source>Alt+click a pixel of the picture, or choose “Inspect pixel” in its menu.</source>
+        <translation>按住 Alt 单击画面中的像素，或在其菜单中选择“检查像素”。</translation>
+    </message>
+    <message>
+        <source>Sample </source>
+        <translation>采样 </translation>
+    </message>
+    <message>
+        <source>Which of the pixel&apos;s samples is explained</source>
+        <translation>解释该像素的哪个采样</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>Adds</source>
+        <translation>贡献</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>方式</translation>
+    </message>
+    <message>
+        <source>Light that this and all below it add to the sample: red, green, blue</source>
+        <translation>此项及其下所有项为该采样贡献的光：红、绿、蓝</translation>
+    </message>
+    <message>
+        <source>Paths of the sample</source>
+        <translation>该采样的路径</translation>
+    </message>
+    <message>
+        <source>There is no picture at this pixel.</source>
+        <translation>此像素处没有画面。</translation>
+    </message>
+    <message>
+        <source>Pixel %1, %2: radiance %3</source>
+        <translation>像素 %1, %2：辐亮度 %3</translation>
+    </message>
+</context>
+<context>
     <name>glint::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
@@ -2832,6 +3093,18 @@ Click an object in the picture or in the list.</source>
     <message>
         <source>This scene is empty. Shift+A adds an object; drop a scene or an environment picture here.</source>
         <translation>场景为空。按 Shift+A 添加对象，或把场景、环境图像拖到这里。</translation>
+    </message>
+    <message>
+        <source>Drag the region that is to be rendered (Esc: not now)</source>
+        <translation>拖出要渲染的区域（Esc：取消）</translation>
+    </message>
+    <message>
+        <source>Only some objects are rendered (/ shows all)</source>
+        <translation>仅渲染部分对象（/ 显示全部）</translation>
+    </message>
+    <message>
+        <source>Filtered</source>
+        <translation>已滤波</translation>
     </message>
 </context>
 <context>
@@ -3119,6 +3392,26 @@ Left out: %3</source>
         <translation>内核：%1
 场景包含：%2
 未用：%3</translation>
+    </message>
+    <message>
+        <source>%1, done in %2</source>
+        <translation>%1，%2 后完成</translation>
+    </message>
+    <message>
+        <source>filtered</source>
+        <translation>已滤波</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>clamped, hence biased</source>
+        <translation>已钳制，故有偏差</translation>
+    </message>
+    <message>
+        <source>%1 at the pointer</source>
+        <translation>指针处 %1</translation>
     </message>
 </context>
 <context>
