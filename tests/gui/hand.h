@@ -28,16 +28,17 @@ class Hand {
     /// Faults so far; each says what the hand could not do.
     [[nodiscard]] const QStringList& faults() const { return faults_; }
 
+    /// A key on the window itself, as the system sends it: the application finds the shortcut or the focused widget.
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-        QTest::keyClick(&window_, key, modifiers);
+        // A closed list or dialog leaves no window active where there is no window manager.
+        while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+        window_.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window_)) return fault("the window is not active");
+        QTest::keyClick(window_.windowHandle(), key, modifiers);
         QCoreApplication::processEvents();
     }
     /// Shift+A over the picture, then a click on the entry.
     void add(const QString& entry) {
-        // A closed list leaves no window active where there is no window manager.
-        while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
-        window_.activateWindow();
-        if (!QTest::qWaitForWindowActive(&window_)) return fault("the window is not active");
         window_.view().setFocus();
         key(Qt::Key_A, Qt::ShiftModifier);
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
