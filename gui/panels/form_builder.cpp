@@ -66,7 +66,7 @@ FieldEditor FormBuilder::makeSwitch(QWidget* content, const QString& path, std::
 
 void FormBuilder::placeRow(Section* section, const QString& label, const FieldMeta& meta, FieldEditor editor, const Reset& reset) {
     auto* title = new QLabel(label, section);
-    title->setFixedWidth(title->fontMetrics().averageCharWidth() * 18);
+    title->setFixedWidth(title->fontMetrics().averageCharWidth() * 22);
     title->setToolTip(explanation(meta));
     editor.widget->setToolTip(explanation(meta));
 

@@ -2,6 +2,7 @@
 // 200 % scale. GLINT_SCREENSHOTS=FOLDER keeps the pictures.
 #include <QAbstractButton>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenuBar>
@@ -90,6 +91,27 @@ class StatesTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(window_->renderer().frame() && window_->renderer().frame()->state == SessionState::Converged, kPatienceMs);
     }
 
+    /// What is cut in the property panel while each entry of the list is chosen in turn.
+    QString cutInFormsOf(const QString& list) {
+        QStringList out;
+        const int count = find<QComboBox>(list)->count();
+        for (int i = 0; i < count; ++i) {
+            auto* kinds = find<QComboBox>(list);
+            kinds->setCurrentIndex(i);
+            emit kinds->activated(i);
+            QTest::qWait(30);
+            out << cutTexts(window_->properties());
+        }
+        return out.join('\n');
+    }
+    template <class W>
+    W* find(const QString& name) {
+        W* found = nullptr;
+        for (W* candidate : window_->properties().findChildren<W*>(name))
+            if (!found || candidate->isVisible()) found = candidate;
+        return found;
+    }
+
   private slots:
     void init() { window_ = openWindow(litBall()); }
     void cleanup() { window_.reset(); }
@@ -152,6 +174,31 @@ class StatesTest : public QObject {
         QVERIFY(window_->messages().geometry().bottom() < view().geometry().bottom());
         QVERIFY(shadesIn(pictureOf(window_->messages(), "message")) > 5);
         QVERIFY2(cutTexts(window_->messages()).isEmpty(), qPrintable(cutTexts(window_->messages()).join('\n')));
+    }
+    void nothingIsCut_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("usual") << QSize(1440, 900);
+        QTest::newRow("small") << QSize(1024, 640);
+    }
+    void nothingIsCut() {
+        QFETCH(QSize, size);
+        window_->resize(size);
+        window_->selection().set({kBall});
+        for (QDockWidget* dock : window_->findChildren<QDockWidget*>()) {
+            if (!dock->isVisibleTo(window_.get())) continue;
+            dock->raise();
+            QTest::qWait(30);
+            const QStringList cut = cutTexts(*dock);
+            QVERIFY2(cut.isEmpty(), qPrintable(dock->windowTitle() + ": " + cut.join('\n')));
+        }
+        QString cut = cutInFormsOf("object.shape.type");
+        cut += cutInFormsOf("material.type");
+        window_->selection().set({Item::of(LightId{1})});
+        cut += cutInFormsOf("light.type");
+        window_->selection().set({Item::of(CameraId{0})});
+        cut += cutTexts(window_->properties()).join('\n');
+        QVERIFY2(cut.isEmpty(), qPrintable(cut));
+        pictureOf(*window_, QStringLiteral("window_%1").arg(size.width()));
     }
     void theExportDialogIsWhole() {
         window_->actions()["file.export"]->trigger();
