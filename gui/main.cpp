@@ -1,6 +1,7 @@
 // glint: the editor. `glint [scene]`.
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QScreen>
 #include <QTimer>
 
 #include "gui/app/file_controller.h"
@@ -20,6 +21,12 @@ void dress(glint::MainWindow& window, bool light, const QString& language) {
     values.theme = light ? glint::Theme::Light : glint::Theme::Dark;
     values.language = language == "zh" ? glint::Language::Chinese : glint::Language::English;
     window.preferences().set(values);
+}
+
+/// The size of a first start: large, but with its frame inside the screen.
+void fitToScreen(QWidget& window) {
+    constexpr QSize kWanted(1440, 900), kFrame(16, 48);
+    window.resize(kWanted.boundedTo(QGuiApplication::primaryScreen()->availableSize() - kFrame));
 }
 
 void selectByName(glint::MainWindow& window, const QString& name) {
@@ -54,7 +61,8 @@ int main(int argc, char** argv) {
     if (visit) dress(window, parser.isSet(light), parser.value(language));
     const QStringList wanted = parser.value(size).split('x');
     if (wanted.size() == 2) window.resize(wanted[0].toInt(), wanted[1].toInt());
-    else if (visit || window.width() < 900) window.resize(1440, 900);
+    else if (visit) window.resize(1440, 900);
+    else if (window.width() < 900) fitToScreen(window);
     if (!parser.positionalArguments().isEmpty()) window.files().load(glint::toPath(parser.positionalArguments().first()));
     else if (window.preferences().values().startPage) window.showStartPage();
     window.show();

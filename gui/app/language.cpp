@@ -35,7 +35,7 @@ void applyLanguage(Language language) {
         QCoreApplication::removeTranslator(translator);
         delete translator;
     }
-    if (!isChinese(language)) return;
+    if (!isChinese(language)) return install("glint_en", ":/translations");
     install("qtbase_zh_CN", QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     install("glint_zh_CN", ":/translations");
 }

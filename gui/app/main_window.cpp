@@ -1,19 +1,14 @@
 #include "gui/app/main_window.h"
 
 #include <QAction>
-#include <QActionGroup>
-#include <QApplication>
-#include <QClipboard>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QListView>
-#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
-#include <QShortcut>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QStatusBar>
@@ -22,6 +17,7 @@
 
 #include "gui/app/actions.h"
 #include "gui/app/autosave.h"
+#include "gui/app/command_bindings.h"
 #include "gui/app/command_search.h"
 #include "gui/app/edit_controller.h"
 #include "gui/app/error_report_dialog.h"
@@ -29,6 +25,7 @@
 #include "gui/app/export_queue.h"
 #include "gui/app/file_controller.h"
 #include "gui/app/file_watch.h"
+#include "gui/app/main_menus.h"
 #include "gui/app/material_previews.h"
 #include "gui/app/message_log.h"
 #include "gui/app/picture_controls.h"
@@ -84,7 +81,7 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
     thumbnails_ = new SceneThumbnails(*previews_, memory_, this);
     new MaterialDrop(*view_);
     connect(&document_, &Document::replaced, this, &MainWindow::hideStartPage);
-    connectSavedViews();
+    bindSavedViews(*this, *viewCommands_);
     connectDisk();
     connect(&document_, &Document::titleChanged, this, &MainWindow::updateTitle);
     connect(&preferences_, &Preferences::changed, this, &MainWindow::applyPreferences);
@@ -107,12 +104,13 @@ void MainWindow::buildInterface() {
     status_ = new StatusLine(this);
     statusBar()->addWidget(status_, 1);
     buildDocks();
-    buildMenus();
-    buildToolBar();
+    menus_ = new MainMenus({*actions_, document_, *files_, *edits_, *viewCommands_, *view_, *objects_}, *this);
+    addToolBar(new ToolBar(document_, *view_, *actions_, this));
     connectFileActions();
-    connectEditActions();
-    connectViewActions();
-    connectTools();
+    bindEditCommands(*actions_, *edits_, document_.undoStack(), selection_, *objects_);
+    bindViewCommands(*actions_, *viewCommands_, *edits_, *view_);
+    bindTools(*actions_, *view_);
+    new PictureControls(*actions_, *renderer_, *view_, document_, selection_, actions_);
     connectState();
     updateTitle();
 }
@@ -122,7 +120,7 @@ void MainWindow::removeInterface() {
     qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
     qDeleteAll(findChildren<QToolBar*>(Qt::FindDirectChildrenOnly));
     setMenuBar(nullptr);
-    delete contextMenu_;
+    delete menus_;
     delete search_;
     delete status_;
     delete actions_;
@@ -210,88 +208,6 @@ void MainWindow::buildDocks() {
     resizeDocks({objects, materials}, {360, 380}, Qt::Vertical);
 }
 
-void MainWindow::buildMenus() {
-    const auto menu = [this](const QString& title, std::initializer_list<const char*> ids) {
-        QMenu* added = menuBar()->addMenu(title);
-        added->setToolTipsVisible(true);
-        actions_->fill(added, ids);
-        return added;
-    };
-    QMenu* file = menu(tr("&File"), {"file.new"});
-    QMenu* templates = file->addMenu(tr("New from &template"));
-    for (const auto& path : sceneFiles(templateFolder()))
-        connect(templates->addAction(sceneTitle(path)), &QAction::triggered, this, [this, path] { files_->newFrom(path); });
-    actions_->fill(file, {"file.startPage", "-", "file.open"});
-    QMenu* recent = file->addMenu(tr("Open &recent"));
-    connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(recent); });
-    actions_->fill(file, {"-", "file.save", "file.saveAs", "-", "file.export", "-", "file.quit"});
-    menu(tr("&Edit"), {"edit.undo", "edit.redo", "-", "edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete", "-",
-                       "edit.selectAll", "edit.selectNone", "edit.rename", "-", "edit.hide", "edit.hideRest", "edit.showAll", "-", "edit.group", "edit.ungroup", "-", "edit.preferences"});
-    addMenu_ = menuBar()->addMenu(tr("&Add"));
-    edits_->fillAddMenu(addMenu_, [this] { return addAt_.isNull() ? QRectF(view_->rect()).center() : addAt_; });
-    objects_->setAddMenu(addMenu_);
-    QMenu* viewMenu = menu(tr("&View"), {"tool.select", "tool.move", "tool.rotate", "tool.scale", "tool.snap", "-", "view.frameSelected", "view.frameAll", "-",
-                       "view.front", "view.behind", "view.right", "view.left", "view.top", "view.bottom", "-", "view.projection",
-                       "view.camera", "-", "view.previous", "view.next", "-", "view.overlay", "view.grid", "-", "view.filter", "view.darker", "view.brighter"});
-    QMenu* cameras = viewMenu->addMenu((*actions_)["view.camera"]->icon(), tr("Ca&meras"));
-    cameras->setObjectName("cameras");
-    connect(cameras, &QMenu::aboutToShow, this, [this, cameras] { fillCameraMenu(cameras); });
-    QMenu* saved = viewMenu->addMenu(tr("Sa&ved views"));
-    connect(saved, &QMenu::aboutToShow, this, [this, saved] { fillSavedViewMenu(saved); });
-    QMenu* render = menu(tr("&Render"), {"render.pause", "-", "view.region", "view.regionClear", "view.isolate", "-", "render.inspect"});
-    QMenu* channels = render->addMenu(tr("&Channel"));
-    channels->setToolTipsVisible(true);
-    for (const char* id : kChannelActions) channels->addAction((*actions_)[id]);
-    actions_->fill(render, {"-", "render.copy", "-", "render.errorReport", "-", "file.export"});
-    QMenu* window = menuBar()->addMenu(tr("&Window"));
-    for (QDockWidget* dock : findChildren<QDockWidget*>()) window->addAction(dock->toggleViewAction());
-    actions_->fill(window, {"-", "window.light"});
-    menu(tr("&Help"), {"help.shortcuts", "help.search", "-", "help.about"});
-
-    contextMenu_ = new QMenu(this);
-    contextMenu_->addMenu(addMenu_);
-    actions_->fill(contextMenu_, {"-", "edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete", "edit.rename", "-", "edit.hide", "edit.hideRest", "edit.showAll", "edit.group", "edit.ungroup",
-                                  "-", "view.frameSelected", "view.frameAll", "-"});
-    connect(contextMenu_->addAction(tr("&Inspect pixel")), &QAction::triggered, this, [this] { view_->inspect(addAt_); });
-}
-
-void MainWindow::buildToolBar() { addToolBar(new ToolBar(document_, *view_, *actions_, this)); }
-
-void MainWindow::fillRecentMenu(QMenu* menu) {
-    menu->clear();
-    for (const QString& file : files_->recent())
-        connect(menu->addAction(file), &QAction::triggered, this, [this, file] { files_->open(toPath(file)); });
-    if (menu->isEmpty()) menu->addAction(tr("None"))->setEnabled(false);
-}
-
-void MainWindow::fillCameraMenu(QMenu* menu) {
-    menu->clear();
-    const Scene& scene = document_.scene();
-    const auto add = [&](CameraId id, const QString& name) {
-        QAction* action = menu->addAction(name);
-        action->setCheckable(true);
-        action->setChecked(scene.activeCamera == id);
-        connect(action, &QAction::triggered, this, [this, id] { edits_->lookThrough(id); });
-    };
-    add({}, tr("Camera"));
-    scene.cameras.forEach([&](CameraId id, const Camera& camera) { add(id, toQString(camera.name)); });
-}
-
-void MainWindow::fillSavedViewMenu(QMenu* menu) {
-    menu->clear();
-    const auto count = static_cast<int>(document_.scene().views.size());
-    constexpr int kMostViews = 9;
-    for (int number = 1; number <= count; ++number) {
-        QAction* go = menu->addAction(tr("Go to view %1").arg(number) + QStringLiteral("\tCtrl+%1").arg(number));
-        connect(go, &QAction::triggered, this, [this, number] { viewCommands_->goToSavedView(number); });
-    }
-    if (count > 0) menu->addSeparator();
-    for (int number = 1; number <= std::min(count + 1, kMostViews); ++number) {
-        QAction* store = menu->addAction(tr("Store as view %1").arg(number) + QStringLiteral("\tCtrl+Shift+%1").arg(number));
-        connect(store, &QAction::triggered, this, [this, number] { viewCommands_->storeView(number); });
-    }
-}
-
 void MainWindow::connectFileActions() {
     actions_->on("file.new", files_, &FileController::newScene);
     actions_->on("file.startPage", this, &MainWindow::showStartPage);
@@ -302,12 +218,6 @@ void MainWindow::connectFileActions() {
     actions_->on("render.errorReport", this, [this] { (new ErrorReportDialog(document_, this))->show(); });
     actions_->on("file.quit", this, &QWidget::close);
     actions_->on("render.pause", renderer_, [this](bool paused) { renderer_->setPaused(paused); });
-    actions_->on("render.copy", this, [this] {
-        const SessionFrame* frame = renderer_->frame();
-        if (!frame || frame->width == 0) return;
-        const QImage image(reinterpret_cast<const uchar*>(frame->pixels.data()), frame->width, frame->height, frame->width * 4, QImage::Format_RGB32);
-        QApplication::clipboard()->setImage(image.copy());
-    });
     actions_->on("help.shortcuts", this, [this] { (new ShortcutSheet(*actions_, this))->show(); });
     actions_->on("help.search", search_, &CommandSearch::open);
     actions_->on("help.about", this, [this] {
@@ -328,101 +238,10 @@ void MainWindow::connectFileActions() {
             [this] { (*actions_)["window.light"]->setChecked(preferences_.values().theme == Theme::Light); });
 }
 
-void MainWindow::connectEditActions() {
-    QUndoStack* stack = &document_.undoStack();
-    QAction* undo = (*actions_)["edit.undo"];
-    QAction* redo = (*actions_)["edit.redo"];
-    actions_->on("edit.undo", stack, &QUndoStack::undo);
-    actions_->on("edit.redo", stack, &QUndoStack::redo);
-    const auto update = [=] {
-        undo->setEnabled(stack->canUndo());
-        redo->setEnabled(stack->canRedo());
-        undo->setText(stack->canUndo() ? tr("&Undo %1").arg(stack->undoText()) : tr("&Undo"));
-        redo->setText(stack->canRedo() ? tr("&Redo %1").arg(stack->redoText()) : tr("&Redo"));
-    };
-    connect(stack, &QUndoStack::indexChanged, actions_, update);
-    connect(stack, &QUndoStack::undoTextChanged, actions_, update);
-    update();
-    actions_->on("edit.cut", edits_, &EditController::cut);
-    // With nothing selected it is the picture that is looked at, and copied.
-    actions_->on("edit.copy", this, [this] { selection_.isEmpty() ? (*actions_)["render.copy"]->trigger() : edits_->copy(); });
-    actions_->on("edit.paste", edits_, &EditController::paste);
-    actions_->on("edit.duplicate", edits_, &EditController::duplicate);
-    actions_->on("edit.delete", edits_, &EditController::remove);
-    actions_->on("edit.selectAll", edits_, &EditController::selectAll);
-    actions_->on("edit.selectNone", this, [this] { selection_.clear(); });
-    actions_->on("edit.rename", objects_, &ObjectList::renameActive);
-    actions_->on("edit.hide", edits_, &EditController::hideSelected);
-    actions_->on("edit.hideRest", edits_, &EditController::hideRest);
-    actions_->on("edit.showAll", edits_, &EditController::showAll);
-    actions_->on("edit.group", edits_, &EditController::group);
-    actions_->on("edit.ungroup", edits_, &EditController::ungroup);
-    actions_->on("add.menu", this, &MainWindow::openAddMenu);
+void MainWindow::connectState() {
     const auto warn = [this](const QString& reason) { messages_->show(MessageBar::Level::Warning, reason); };
     connect(edits_, &EditController::refused, actions_, warn);
     connect(objects_, &ObjectList::refused, actions_, warn);
-    const auto openContextMenu = [this](const QPoint& at) {
-        addAt_ = view_->mapFromGlobal(at);
-        contextMenu_->popup(at);
-    };
-    connect(view_, &RenderView::menuRequested, actions_, openContextMenu);
-    connect(objects_, &ObjectList::menuRequested, actions_, openContextMenu);
-}
-
-void MainWindow::connectViewActions() {
-    actions_->on("view.frameSelected", viewCommands_, &ViewCommands::frameSelected);
-    actions_->on("view.frameAll", viewCommands_, &ViewCommands::frameAll);
-    const std::pair<const char*, DVec3> directions[] = {{"view.front", {0, 0, -1}}, {"view.behind", {0, 0, 1}}, {"view.right", {-1, 0, 0}},
-                                                        {"view.left", {1, 0, 0}},   {"view.top", {0, -1, 0}},   {"view.bottom", {0, 1, 0}}};
-    for (const auto& [id, direction] : directions)
-        actions_->on(id, viewCommands_, [this, direction = direction] { viewCommands_->lookAlong(direction); });
-    actions_->on("view.projection", viewCommands_, &ViewCommands::toggleProjection);
-    actions_->on("view.previous", viewCommands_, &ViewCommands::back);
-    actions_->on("view.next", viewCommands_, &ViewCommands::forward);
-    actions_->on("view.camera", edits_, &EditController::lookThroughSelectedCamera);
-    actions_->on("view.overlay", view_, &RenderView::setOverlayShown);
-    actions_->on("view.grid", view_, &RenderView::setGridShown);
-    (*actions_)["view.overlay"]->setChecked(view_->isOverlayShown());
-    (*actions_)["view.grid"]->setChecked(view_->isGridShown());
-    actions_->on("render.inspect", view_, [this] { view_->inspect(view_->pointerOrCenter()); });
-    new PictureControls(*actions_, *renderer_, *view_, document_, selection_, actions_);
-    constexpr double kHalfStop = 0.5;
-    actions_->on("view.darker", edits_, [this] { edits_->changeExposure(-kHalfStop); });
-    actions_->on("view.brighter", edits_, [this] { edits_->changeExposure(kHalfStop); });
-}
-
-void MainWindow::connectTools() {
-    auto* group = new QActionGroup(actions_);
-    const std::pair<const char*, Tool> tools[] = {{"tool.select", Tool::Select}, {"tool.move", Tool::Move}, {"tool.rotate", Tool::Rotate}, {"tool.scale", Tool::Scale}};
-    for (const auto& [id, tool] : tools) {
-        QAction* action = (*actions_)[id];
-        group->addAction(action);
-        action->setChecked(view_->tools().tool == tool);
-        connect(action, &QAction::triggered, this, [this, tool = tool] {
-            ToolOptions options = view_->tools();
-            options.tool = tool;
-            view_->setTools(options);
-        });
-    }
-    (*actions_)["tool.snap"]->setChecked(view_->tools().snap);
-    actions_->on("tool.snap", this, [this](bool on) {
-        ToolOptions options = view_->tools();
-        options.snap = on;
-        view_->setTools(options);
-    });
-}
-
-void MainWindow::connectSavedViews() {
-    for (int number = 1; number <= 9; ++number) {
-        const auto key = static_cast<Qt::Key>(Qt::Key_0 + number);
-        auto* go = new QShortcut(QKeySequence(Qt::CTRL | key), this);
-        auto* store = new QShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | key), this);
-        connect(go, &QShortcut::activated, viewCommands_, [this, number] { viewCommands_->goToSavedView(number); });
-        connect(store, &QShortcut::activated, viewCommands_, [this, number] { viewCommands_->storeView(number); });
-    }
-}
-
-void MainWindow::connectState() {
     const auto updateSelection = [this] { updateSelectionText(); };
     connect(&selection_, &Selection::changed, actions_, updateSelection);
     connect(&document_, &Document::changed, actions_, updateSelection);
@@ -487,11 +306,6 @@ void MainWindow::updateSelectionText() {
     if (items.empty()) return status_->showSelection({});
     const std::string name = nameOf(document_.scene(), items.front());
     status_->showSelection(name.empty() ? tr("Camera") : toQString(name));
-}
-
-void MainWindow::openAddMenu() {
-    addAt_ = view_->pointerOrCenter();
-    addMenu_->popup(view_->mapToGlobal(addAt_.toPoint()));
 }
 
 void MainWindow::openExport() {

@@ -12,7 +12,6 @@
 #include "gui/app/selection.h"
 
 class QDockWidget;
-class QMenu;
 class QStackedWidget;
 
 namespace glint {
@@ -27,6 +26,7 @@ class FileController;
 class MaterialPanel;
 class MaterialPreviews;
 class FileWatch;
+class MainMenus;
 class MessageBar;
 class MessageLog;
 class ObjectList;
@@ -86,23 +86,13 @@ class MainWindow : public QMainWindow {
     void buildInterface();
     void removeInterface();
     void buildDocks();
-    void buildMenus();
-    void buildToolBar();
     void connectFileActions();
-    void connectEditActions();
-    void connectViewActions();
-    void connectTools();
-    void connectSavedViews();
     void connectState();
     void connectDisk();
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
     void updateTitle();
     void updateSelectionText();
-    void openAddMenu();
     void openExport();
-    void fillRecentMenu(QMenu* menu);
-    void fillCameraMenu(QMenu* menu);
-    void fillSavedViewMenu(QMenu* menu);
     void openPreferences();
     void hideStartPage();
     void applyPreferences(const PreferenceValues& before);
@@ -134,9 +124,7 @@ class MainWindow : public QMainWindow {
     FileWatch* fileWatch_ = nullptr;
     ExportQueue* exports_ = nullptr;
     CommandSearch* search_ = nullptr;
-    QMenu* addMenu_ = nullptr;
-    QMenu* contextMenu_ = nullptr;
-    QPointF addAt_;
+    MainMenus* menus_ = nullptr;
     bool closing_ = false;
 };
 

@@ -1,6 +1,8 @@
 #include "gui/app/picture_controls.h"
 
 #include <QActionGroup>
+#include <QClipboard>
+#include <QGuiApplication>
 
 #include "gui/app/actions.h"
 #include "gui/app/document.h"
@@ -20,6 +22,7 @@ PictureControls::PictureControls(Actions& actions, Renderer& renderer, RenderVie
     connect(actions["view.region"], &QAction::triggered, &view, &RenderView::beginRegion);
     connect(actions["view.regionClear"], &QAction::triggered, &renderer, [this] { renderer_.setRegion(std::nullopt); });
     connect(actions["view.isolate"], &QAction::triggered, this, &PictureControls::toggleIsolation);
+    connect(actions["render.copy"], &QAction::triggered, this, &PictureControls::copyPicture);
     connect(&renderer, &Renderer::viewChanged, this, &PictureControls::showState);
     connect(&selection, &Selection::changed, this, &PictureControls::showState);
     showState();
@@ -41,6 +44,13 @@ void PictureControls::toggleIsolation(bool on) {
     std::vector<ObjectId> objects;
     if (on) objects = objectsWithin(document_.scene(), selection_.items());
     renderer_.setIsolated(std::move(objects));
+}
+
+void PictureControls::copyPicture() {
+    const SessionFrame* frame = renderer_.frame();
+    if (!frame || frame->width == 0) return;
+    const QImage image(reinterpret_cast<const uchar*>(frame->pixels.data()), frame->width, frame->height, frame->width * 4, QImage::Format_RGB32);
+    QGuiApplication::clipboard()->setImage(image.copy());
 }
 
 void PictureControls::showState() {

@@ -1,4 +1,5 @@
-// PictureControls: the actions that choose what the viewport shows and where it works: channels, filter, region, isolation.
+// PictureControls: the actions that choose what the viewport shows and where it works: channels, filter, region, isolation; and
+// the one that copies it.
 #pragma once
 
 #include <QObject>
@@ -22,6 +23,7 @@ class PictureControls : public QObject {
   private:
     void connectChannels();
     void toggleIsolation(bool on);
+    void copyPicture();
     void showState();
 
     Actions& actions_;

@@ -13,6 +13,8 @@ class ViewCommands : public QObject {
     Q_OBJECT
 
   public:
+    static constexpr int kSavedViews = 9;  ///< as many as there are digits
+
     explicit ViewCommands(RenderView& view, QObject* parent = nullptr);
 
     void frameSelected();
@@ -22,7 +24,7 @@ class ViewCommands : public QObject {
     void toggleProjection();
     void back();
     void forward();
-    /// Saved views 1 to 9. Storing is an edit, going there is not.
+    /// Saved views 1 to kSavedViews. Storing is an edit, going there is not.
     void goToSavedView(int number);
     void storeView(int number);
 

@@ -2,6 +2,25 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
 <context>
+    <name>CommandBindings</name>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>撤销 %1(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>重做 %1(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+</context>
+<context>
     <name>EditGestures</name>
     <message>
         <source>Select</source>
@@ -2514,6 +2533,77 @@ In the picture: Shift, then drag with the right button</source>
     </message>
 </context>
 <context>
+    <name>glint::MainMenus</name>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>New from &amp;template</source>
+        <translation>由模板新建(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>打开最近的文件(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>添加(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Ca&amp;meras</source>
+        <translation>相机(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ved views</source>
+        <translation>已存视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Render</source>
+        <translation>渲染(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Channel</source>
+        <translation>通道(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>窗口(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect pixel</source>
+        <translation>检查像素(&amp;I)</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Go to view %1</source>
+        <translation>前往视图 %1</translation>
+    </message>
+    <message>
+        <source>Store as view %1</source>
+        <translation>存为视图 %1</translation>
+    </message>
+</context>
+<context>
     <name>glint::MainWindow</name>
     <message>
         <source>As opened</source>
@@ -2552,46 +2642,6 @@ In the picture: Shift, then drag with the right button</source>
         <translation>统计</translation>
     </message>
     <message>
-        <source>&amp;File</source>
-        <translation>文件(&amp;F)</translation>
-    </message>
-    <message>
-        <source>New from &amp;template</source>
-        <translation>由模板新建(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>打开最近的文件(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>编辑(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;Add</source>
-        <translation>添加(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>视图(&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Render</source>
-        <translation>渲染(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Window</source>
-        <translation>窗口(&amp;W)</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>无</translation>
-    </message>
-    <message>
         <source>About Glint</source>
         <translation>关于 Glint</translation>
     </message>
@@ -2602,22 +2652,6 @@ MIT licence.</source>
         <translation>Glint %1
 以光线追踪为视图的场景编辑器。
 MIT 许可证。</translation>
-    </message>
-    <message>
-        <source>&amp;Undo %1</source>
-        <translation>撤销 %1(&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>撤销(&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo %1</source>
-        <translation>重做 %1(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>重做(&amp;R)</translation>
     </message>
     <message numerus="yes">
         <source>%n selected</source>
@@ -2632,22 +2666,6 @@ MIT 许可证。</translation>
     <message>
         <source>Exports</source>
         <translation>导出队列</translation>
-    </message>
-    <message>
-        <source>Ca&amp;meras</source>
-        <translation>相机(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Sa&amp;ved views</source>
-        <translation>已存视图(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Go to view %1</source>
-        <translation>前往视图 %1</translation>
-    </message>
-    <message>
-        <source>Store as view %1</source>
-        <translation>存为视图 %1</translation>
     </message>
     <message>
         <source>Reloaded %1</source>
@@ -2688,14 +2706,6 @@ MIT 许可证。</translation>
     <message>
         <source>Pixel</source>
         <translation>像素</translation>
-    </message>
-    <message>
-        <source>&amp;Channel</source>
-        <translation>通道(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Inspect pixel</source>
-        <translation>检查像素(&amp;I)</translation>
     </message>
 </context>
 <context>

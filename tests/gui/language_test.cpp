@@ -84,6 +84,15 @@ class LanguageTest : public QObject {
         QVERIFY(!text.contains("unfinished"));
         QVERIFY(!text.contains("<translation></translation>"));
     }
+    void englishKnowsSingularAndPlural() {
+        QFile english(QStringLiteral(GLINT_SOURCE_DIR "/resources/translations/glint_en.ts")), chinese(kTranslation);
+        QVERIFY(english.open(QIODevice::ReadOnly) && chinese.open(QIODevice::ReadOnly));
+        // What depends on a number is in both files.
+        QCOMPARE(english.readAll().count("numerus=\"yes\""), chinese.readAll().count("numerus=\"yes\""));
+        applyLanguage(Language::English);
+        QCOMPARE(QCoreApplication::translate("glint::StatusLine", "%n warning(s)", nullptr, 1), QStringLiteral("1 warning"));
+        QCOMPARE(QCoreApplication::translate("glint::StatusLine", "%n warning(s)", nullptr, 2), QStringLiteral("2 warnings"));
+    }
     void everyWidgetSpeaksChinese() {
         Scene scene = smallScene();
         const auto window = openWindow(scene);
