@@ -88,6 +88,8 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
     applyTheme(preferences_.values().theme);
     applyLanguage(preferences_.values().language);
     applyPreferences(preferences_.values());
+    // The news of the language: too early to change anything, and later it would build the interface a second time.
+    QCoreApplication::sendPostedEvents(this, QEvent::LanguageChange);
     buildInterface();
     if (memory_ == Memory::None) return;
     QSettings settings;
