@@ -140,6 +140,7 @@ TEST(Scale, FirstHitsAgreeInOtherSizesAndPlaces) {
 
 void expectSameLight(int spp) {
     const Image before = stillLife(1, DVec3(0.0), spp).render().beauty;
+    test::Tally tally;  // Numbers of the pictures, and the largest share that another path changed.
     for (const Change& change : kChanges) {
         const Image after = stillLife(change.size, change.away, spp).render().beauty;
         // A pixel may differ where a path went another way at a silhouette.
@@ -152,9 +153,12 @@ void expectSameLight(int spp) {
         }
         const double n = static_cast<double>(before.rgb.size()), mean = sum / n,
                      sigma = std::sqrt(squares / n / n);
+        tally.checks += before.rgb.size();
+        tally.error(others / n);
         EXPECT_LE(others, 0.001 * n) << "size " << change.size << ", moved to " << change.away.x;
-        EXPECT_LE(std::abs(mean), 4 * sigma + 1e-8);  // A tenth of a float's last place.
+        EXPECT_LE(std::abs(mean), 4 * sigma + 1e-9);  // A hundredth of a float's last place.
     }
+    tally.print("light in other sizes and places");
 }
 TEST(Scale, LightAgreesInOtherSizesAndPlaces) { expectSameLight(4); }
 TEST_F(ScaleFull, LightAgreesInOtherSizesAndPlaces) { expectSameLight(64); }

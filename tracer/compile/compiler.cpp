@@ -236,26 +236,24 @@ class Compiler {
         });
     }
     void addLight(const PointLight& light, std::uint8_t group) {
-        const Rgb intensity = toRgb(light.intensity);
-        if (isBlack(intensity)) return;
+        if (isBlack(light.intensity)) return;
         out_->lights.lights.push_back({.kind = LightKind::Point,
                                        .position = light.position - out_->origin,
-                                       .emission = intensity,
-                                       .power = 4 * kPi * static_cast<double>(luminance(intensity)),
+                                       .intensity = toVector(light.intensity),
+                                       .power = 4 * kPi * luminance(light.intensity),
                                        .group = group});
     }
     void addLight(const SpotLight& light, std::uint8_t group) {
-        const Rgb intensity = toRgb(light.intensity);
         const DVec3 axis = light.target - light.position;
-        if (isBlack(intensity) || !(glm::length(axis) > 0)) return;
+        if (isBlack(light.intensity) || !(glm::length(axis) > 0)) return;
         const double outer = degreesToRadians(light.coneDegrees / 2), inner = outer * (1 - light.blend);
         out_->lights.lights.push_back({.kind = LightKind::Spot,
                                        .position = light.position - out_->origin,
                                        .direction = glm::normalize(axis),
-                                       .emission = intensity,
+                                       .intensity = toVector(light.intensity),
                                        .cosInner = static_cast<float>(std::cos(inner)),
                                        .cosOuter = static_cast<float>(std::cos(outer)),
-                                       .power = 2 * kPi * (1 - std::cos(outer)) * static_cast<double>(luminance(intensity)),
+                                       .power = 2 * kPi * (1 - std::cos(outer)) * luminance(light.intensity),
                                        .group = group});
     }
     void addLight(const SunLight& light, std::uint8_t group) { addSun(light.direction, toRgb(light.irradiance), light.angleDegrees, group); }

@@ -80,7 +80,7 @@ LightSample samplePoint(const CompiledLight& light, const DVec3& from) {
     if (!(distance2 > 0)) return {};
     const double distance = std::sqrt(distance2);
     const DVec3 wi = to / distance;
-    Rgb irradiance = light.emission * static_cast<float>(1 / distance2);
+    Rgb irradiance = toFloat(light.intensity / distance2);
     if (light.kind == LightKind::Spot) {
         const float cosine = static_cast<float>(-glm::dot(wi, light.direction));
         if (cosine <= light.cosOuter) return {};

@@ -17,7 +17,8 @@ struct CompiledLight {
     LightKind kind = LightKind::Point;
     DVec3 position{0.0};        ///< Point, Spot
     DVec3 direction{0, -1, 0};  ///< Spot: of the axis; Sun: towards the sun; unit
-    Rgb emission{0.0f};         ///< intensity (Point, Spot), radiance (Sun with a disc, Area), irradiance (Sun of angle 0)
+    DVec3 intensity{0.0};       ///< Point, Spot; in double: a scene of another size has powers of its size in it, which no float holds
+    Rgb emission{0.0f};         ///< radiance (Sun with a disc, Area), irradiance (Sun of angle 0)
     float cosInner = 1, cosOuter = 1;  ///< Spot: full inside cosInner, none outside cosOuter
     double sin2Angle = 0;       ///< Sun: sin^2 of half the disc's angle; 0: a single direction
     std::uint32_t shape = kNoShape;  ///< Area

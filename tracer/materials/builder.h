@@ -17,7 +17,7 @@ struct WeightedLeaf {
 /// What fills a closed object made of a dielectric.
 struct Medium {
     float ior = 1;
-    Rgb absorption{0.0f};  ///< 1/m
+    Color absorption;  ///< 1/m; in double, as it goes with the scene's size
     int priority = 0;
 };
 
@@ -50,16 +50,17 @@ class BsdfBuilder {
         std::visit([&](const auto& m) { m.compile(*this, weight); }, material->value);
         --depth_;
     }
-    void setMedium(float ior, const Rgb& absorption, int priority) {
+    void setMedium(float ior, const Color& absorption, int priority) {
         out_.dielectric = true;
         out_.medium = {ior, absorption, priority};
     }
     void notBuilt(std::string what) { out_.notBuilt.push_back(std::move(what)); }
 
-    [[nodiscard]] Rgb value(const Textured<Color>& v) {
+    [[nodiscard]] Color color(const Textured<Color>& v) {
         if (v.texture) notBuilt("its textures are drawn in their plain colour");
-        return toRgb(v.value);
+        return v.value;
     }
+    [[nodiscard]] Rgb value(const Textured<Color>& v) { return toRgb(color(v)); }
     [[nodiscard]] float value(const Textured<double>& v) {
         if (v.texture) notBuilt("its textures are drawn as their plain number");
         return static_cast<float>(v.value);

@@ -58,7 +58,7 @@ struct Glass {
                 builder.add(RoughThinGlassBsdf(n, alpha), weight);
             return;
         }
-        builder.setMedium(n, builder.value(absorption), priority);
+        builder.setMedium(n, builder.color(absorption), priority);
         if (smooth)
             builder.add(GlassBsdf{}, weight);
         else

@@ -82,7 +82,7 @@ struct Phong {
         if (ks > 0) builder.add(PhongBsdf{builder.value(exponent)}, scaled * ks);
         if (kr > 0) builder.add(MirrorBsdf{tint}, scaled * kr);
         if (kt > 0) {
-            builder.setMedium(builder.value(ior), builder.value(absorption), 0);
+            builder.setMedium(builder.value(ior), builder.color(absorption), 0);
             builder.add(RefractBsdf{}, scaled * kt);
         }
     }

@@ -27,8 +27,8 @@ template <Features F>
 [[nodiscard]] Rgb transmittance(const Medium& medium, double distance, WorkCounts& work) {
     if (!has(F, Feature::NoSkips) && isBlack(medium.absorption)) return Rgb(1.0f);
     ++work[Work::Exponentials];
-    const auto channel = [distance](float a) { return a > 0 ? static_cast<float>(std::exp(-a * distance)) : 1.0f; };
-    return {channel(medium.absorption.x), channel(medium.absorption.y), channel(medium.absorption.z)};
+    const auto channel = [distance](double a) { return a > 0 ? static_cast<float>(std::exp(-a * distance)) : 1.0f; };
+    return {channel(medium.absorption.r), channel(medium.absorption.g), channel(medium.absorption.b)};
 }
 
 struct SurfacePoint {

@@ -6,17 +6,15 @@ namespace glint {
 
 namespace {
 
-DVec3 vec(const Color& c) { return {c.r, c.g, c.b}; }
-
 /// What a source gives, up to a factor that none of the edits in question changes; black where it is not part of the picture.
 DVec3 lightOf(const Scene& scene, const Object& object) {
     const bool emits = isVisible(scene, object) && !std::holds_alternative<Plane>(object.shape);
-    return emits ? vec(object.emission) : DVec3(0.0);
+    return emits ? toVector(object.emission) : DVec3(0.0);
 }
-DVec3 lightOf(const Scene&, const Light& light) { return light.visible ? vec(lightColor(light)) : DVec3(0.0); }
+DVec3 lightOf(const Scene&, const Light& light) { return light.visible ? toVector(lightColor(light)) : DVec3(0.0); }
 DVec3 lightOf(const Environment& e) {
     const Color tint = e.sky && !e.color ? Color{1, 1, 1} : e.effectiveColor();
-    return vec(tint) * e.intensity;
+    return toVector(tint) * e.intensity;
 }
 
 /// Calls visit(source, its group's name, its light) for every source that is not black; the environment is last.
