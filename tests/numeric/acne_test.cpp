@@ -78,6 +78,13 @@ std::string judge(const ShapeInstance& instance, const Ray& ray, const ShapeHit&
     return isTrueExit(instance, ray, hit.t) ? "" : "leaves too early or too late";
 }
 
+/// The farthest that a point of the shape is from its middle, in sizes. A plane has no end: the
+/// point's own distance, to which its coordinates are rounded.
+double reachOf(const CanonicalShape& shape, const VecOf<long double>& local) {
+    const bool endless = std::holds_alternative<CanonicalPlane>(shape);
+    return endless ? std::max(1.0, static_cast<double>(squareRoot(dot(local, local)))) : 1;
+}
+
 /// Finds `count` places on surfaces, and sends four rays from each: three back, one through.
 Tally leaveSurfaces(std::uint64_t count, const CanonicalShape& shape, double size, double away,
                     Spawn spawn) {
@@ -95,9 +102,8 @@ Tally leaveSurfaces(std::uint64_t count, const CanonicalShape& shape, double siz
             const ShapeHit hit = world.scene.lists.closest(ray, {});
             if (!hit.found()) continue;
             const SurfacePoint point = world.point(ray, hit);
-            tally.error(
-                residual(shape, localPoint<long double>(instance, point.position), hit.face) /
-                (1 + away));
+            const auto local = localPoint<long double>(instance, point.position);
+            tally.error(residual(shape, local, hit.face) / (reachOf(shape, local) + away));
             for (int k = 0; k < 4; ++k) {
                 ++tally.checks;
                 const Vec3 up = randomUp(random);

@@ -31,14 +31,18 @@ double measuredSky(const World& world, const DVec3& at, double x, double scale, 
 }
 
 void expectContactShadow(int side) {
+    Tally tally;  // Rays, and the largest error over the exact value.
     for (const double scale : {1e-6, 1.0, 1e6})
         for (const double x : {1e-5, 1e-3, 1e-1}) {
             const World world({makeInstance(CanonicalPlane{}, DMat3(1.0), DVec3(0.0)),
                                makeInstance(CanonicalSphere{}, DMat3(scale), {0, scale, 0})});
             const double exact = skyBesideABall(x),
                          measured = measuredSky(world, {x * scale, 0, 0}, x, scale, side);
+            tally.checks += static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side);
+            tally.error(std::abs(measured - exact) / exact);
             EXPECT_NEAR(measured, exact, 0.01 * exact) << "at " << x << " radii, scale " << scale;
         }
+    tally.print("sky beside a ball on a floor");
 }
 
 TEST(Contact, ShadowBesideABallOnAFloorIsExact) { expectContactShadow(300); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "tracer/render/worker_pool.h"
@@ -33,7 +34,7 @@ void FullRun::SetUp() {
 }
 
 void FullRun::TearDown() {
-    share = 1;
+    const double counts = std::exchange(share, 1);
     if (IsSkipped()) return;
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -44,8 +45,9 @@ void FullRun::TearDown() {
     const char* path = std::getenv("GLINT_RECORD");
     std::FILE* record = path ? std::fopen(path, "a") : nullptr;
     if (!record) return;
-    std::fprintf(record, "%s\t%" PRIu64 "\t%" PRIu64 "\t%.3g\t%.1f\n", name.c_str(), printed.checks,
-                 printed.failures, printed.worst, seconds);
+    std::fprintf(record, "%s\t%" PRIu64 "\t%" PRIu64 "\t%.3g\t%s\t%.1f\t%g\n", name.c_str(),
+                 printed.checks, printed.failures, printed.worst,
+                 HasFailure() ? "FAILED" : "passed", seconds, counts);
     std::fclose(record);
 }
 

@@ -172,8 +172,8 @@ struct Tally {
 
 /// Base of the suites named *Full: the counts that take minutes, on request only (GLINT_FULL=1;
 /// 0.01 for a hundredth of them). Where GLINT_RECORD names a file, each test appends a line to it:
-/// name, checks, failures, worst error, seconds, separated by tabs; glint-numeric-table makes a
-/// table of them.
+/// name, checks, failures, worst error, passed or FAILED, seconds, share of the counts, separated
+/// by tabs; glint-numeric-table makes a table of them.
 class FullRun : public testing::Test {
   protected:
     void SetUp() override;
