@@ -39,7 +39,6 @@ Renderer::~Renderer() { session_.reset(); }
 void Renderer::setSize(QSize size) {
     view_.width = std::max(0, size.width());
     view_.height = std::max(0, size.height());
-    publishView();
     publishScene();
 }
 
@@ -110,7 +109,8 @@ void Renderer::publishScene() {
             object.visible = false;
             seen.objects.set(id, std::move(object));
         }
-    session_->publish(std::move(seen), assetFolder_);
+    view_.paint.display = displaySettings(scene);
+    session_->publish(std::move(seen), assetFolder_, view_);
 }
 
 void Renderer::publishView() {

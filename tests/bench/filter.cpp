@@ -67,7 +67,7 @@ void measureTime(const Scene& scene, const std::string& file, const FilterOption
     Scheduler scheduler(pool);
     Film film(kWidth, kHeight);
     RenderCounts counts;
-    const auto sample = [&](std::uint32_t n) { scheduler.renderPass(*full, film, nullptr, {0, 0, kWidth, kHeight}, 1, n, {}, counts); };
+    const auto sample = [&](std::uint32_t n) { scheduler.renderPass(*full, film, nullptr, {0, 0, kWidth, kHeight}, 1, {.samples = n}, {}, counts); };
     out.sampleMs = milliseconds([&] { sample(1); });
     sample(2);
     GuideFilm guides;

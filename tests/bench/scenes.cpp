@@ -58,7 +58,7 @@ bool measure(const SceneBenchOptions& options, const std::string& file, Figures&
 }
 
 /// Renders the scenes in turn at 320 x 180 and prints a table: compile time, time, rays a second, error of the picture (see
-/// pictureError in tracer/render/film.h) and efficiency 1 / (error^2 * time).
+/// pictureError in tracer/render/tile_error.h) and efficiency 1 / (error^2 * time).
 int runScenes(const SceneBenchOptions& options) {
     if (!canWrite(options.json)) return kCannotWrite;
     std::vector<Figures> all(options.files.size());

@@ -172,7 +172,7 @@ TEST(Interruption, CancelledAndResumedPassesGiveTheSameBits) {
     Scheduler scheduler(pool);
     Film whole(all.width, all.height), broken(all.width, all.height);
     RenderCounts counts;
-    ASSERT_TRUE(scheduler.renderPass(*scene, whole, nullptr, all, 1, 6, {}, counts));
+    ASSERT_EQ(scheduler.renderPass(*scene, whole, nullptr, all, 1, {.samples = 6}, {}, counts), PassResult::Done);
 
     std::atomic<std::uint64_t> epoch{0};
     int cancelled = 0;
@@ -186,8 +186,8 @@ TEST(Interruption, CancelledAndResumedPassesGiveTheSameBits) {
         // Coarse passes first, as the viewport does; each call takes up where the last one was
         // stopped.
         for (const int stride : {4, 1})
-            while (!scheduler.renderPass(*scene, broken, nullptr, all, stride, stride == 1 ? 6 : 1,
-                                         {&epoch, epoch.load()}, counts))
+            while (scheduler.renderPass(*scene, broken, nullptr, all, stride, {.samples = stride == 1 ? 6u : 1u},
+                                        {&epoch, epoch.load()}, counts) == PassResult::Cancelled)
                 ++cancelled;
     }
     EXPECT_GT(cancelled, 0) << "nothing was interrupted";

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/scenes.h"
-#include "tracer/render/film.h"
+#include "tracer/render/tile_error.h"
 
 namespace glint {
 namespace {

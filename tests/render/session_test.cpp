@@ -181,6 +181,188 @@ TEST(Session, ConvergedAndHiddenCostNoProcessorTime) {
     EXPECT_LT(share(), 0.005);
 }
 
+TEST(Session, NamesAndStopRulesKeepTheSamples) {
+    SceneBuilder b = stillLife();
+    Session session(2);
+    session.publish(viewOf(b.scene()));
+    session.publish(b.scene(), {});
+    const SessionFrame before = waitFor(session, isConverged);
+    const ObjectId id = b.scene().objects.ids().front();
+    Object renamed = b.scene().objects.at(id);
+    renamed.name = "Ground";
+    renamed.locked = true;
+    b.scene().objects.set(id, renamed);
+    const std::uint64_t revision = session.publish(b.scene(), {});
+    const SessionFrame after = waitFor(session, [&](const SessionFrame& f) { return f.revision == revision; });
+    EXPECT_EQ(after.pixels, before.pixels);
+    EXPECT_EQ(after.rays, before.rays);
+    EXPECT_EQ(after.restarts, before.restarts);
+    b.scene().render.spp = 12;
+    const std::uint64_t longer = session.publish(b.scene(), {});
+    const SessionFrame more = waitFor(session, [&](const SessionFrame& f) { return f.revision == longer && isConverged(f); });
+    EXPECT_EQ(more.restarts, before.restarts);
+    EXPECT_EQ(more.pixels, shown(b.render().beauty, {}));
+}
+
+/// Mean of the 8-bit values.
+double meanOf(const std::vector<std::uint32_t>& pixels) {
+    double sum = 0;
+    for (const std::uint32_t p : pixels) sum += (p >> 16 & 255) + (p >> 8 & 255) + (p & 255);
+    return sum / (3.0 * static_cast<double>(pixels.size()));
+}
+
+TEST(Session, ResizingKeepsWhatIsThere) {
+    SceneBuilder b = stillLife();
+    b.scene().render.spp = 64;
+    Session session(2);
+    session.publish(viewOf(b.scene()));
+    session.publish(b.scene(), {});
+    const SessionFrame before = waitFor(session, isConverged);
+    ViewSettings wider = viewOf(b.scene());
+    wider.width += 20;
+    session.publish(wider);
+    const SessionFrame first = waitFor(session, [&](const SessionFrame& f) { return f.width == wider.width; });
+    // The first frame of the new size shows the old picture, in its middle, as it was but for a few of its new samples.
+    double difference = 0;
+    for (int y = 0; y < before.height; ++y)
+        for (int x = 0; x < before.width; ++x) {
+            const auto red = [](std::uint32_t p) { return static_cast<double>(p >> 16 & 255); };
+            difference += std::abs(red(before.pixels[static_cast<std::size_t>(y * before.width + x)]) - red(first.pixels[static_cast<std::size_t>(y * first.width + x + 10)]));
+        }
+    EXPECT_LT(difference / (before.width * before.height), 2);
+    static_cast<void>(waitFor(session, [&](const SessionFrame& f) { return f.width == wider.width && isConverged(f); }));
+}
+
+TEST(Session, MixingLightsCostsNoRaysAndIsRight) {
+    SceneBuilder b = stillLife();
+    b.scene().film.width = b.scene().film.height = 32;
+    b.scene().render.spp = 256;
+    Session session(2);
+    session.publish(viewOf(b.scene()));
+    session.publish(b.scene(), {});
+    const SessionFrame before = waitFor(session, isConverged);
+    b.scene().environment.intensity = 0.2;
+    const LightId id = b.scene().lights.ids().front();
+    Light light = b.scene().lights.at(id);
+    lightColor(light) = {2, 9, 16};
+    b.scene().lights.set(id, light);
+    const std::uint64_t revision = session.publish(b.scene(), {});
+    const SessionFrame after = waitFor(session, [&](const SessionFrame& f) { return f.revision == revision; });
+    EXPECT_EQ(after.rays, before.rays);
+    EXPECT_EQ(after.state, SessionState::Converged) << "in its first frame";
+    EXPECT_EQ(after.retracedShare, 0);
+    EXPECT_NEAR(meanOf(after.pixels), meanOf(shown(b.render().beauty, {})), 1.0);
+}
+
+TEST(Session, UndoBringsTheConvergedPictureBack) {
+    SceneBuilder b = stillLife();
+    b.scene().film.width = 128;
+    b.scene().film.height = 96;
+    b.scene().render.spp = 128;
+    Session session(2);
+    session.publish(viewOf(b.scene()));
+    const Scene before = b.scene();
+    session.publish(before, {});
+    const SessionFrame converged = waitFor(session, isConverged);
+    ASSERT_GT(converged.seconds, 0.2) << "too quick to be worth keeping";
+    const ObjectId ball = b.scene().objects.ids()[1];
+    Object moved = b.scene().objects.at(ball);
+    moved.transform.translate.x += 0.5;
+    b.scene().objects.set(ball, moved);
+    const std::uint64_t edited = session.publish(b.scene(), {});
+    const SessionFrame other = waitFor(session, [&](const SessionFrame& f) { return f.revision == edited && isConverged(f); });
+    for (int i = 0; i < 4; ++i) {
+        const bool undo = i % 2 == 0;
+        const std::uint64_t revision = session.publish(undo ? before : b.scene(), {});
+        const SessionFrame back = waitFor(session, [&](const SessionFrame& f) { return f.revision == revision; });
+        EXPECT_EQ(back.state, SessionState::Converged);
+        EXPECT_EQ(back.pixels, undo ? converged.pixels : other.pixels);
+        EXPECT_EQ(back.rays, other.rays);
+    }
+}
+
+/// Changes a random value of a random material, or gives an object another one.
+void editMaterials(Scene& scene, std::mt19937& random) {
+    const auto unit = [&] { return static_cast<double>(random() % 1001) / 1000; };
+    const std::vector<MaterialId> ids = scene.materials.ids();
+    const MaterialId id = ids[random() % ids.size()];
+    if (random() % 8 == 0) {
+        const std::vector<ObjectId> objects = scene.objects.ids();
+        const ObjectId given = objects[random() % objects.size()];
+        Object object = scene.objects.at(given);
+        object.material = id;
+        scene.objects.set(given, object);
+        return;
+    }
+    Material material = scene.materials.at(id);
+    if (auto* glass = std::get_if<Glass>(&material.value)) {
+        glass->ior.value = 1.1 + unit();
+        glass->absorption.value = {unit(), unit(), unit()};
+    } else if (auto* mix = std::get_if<Mix>(&material.value)) {
+        mix->amount.value = unit();
+    } else if (auto* mirror = std::get_if<Mirror>(&material.value)) {
+        mirror->color.value = {unit(), unit(), unit()};
+    } else {
+        material.value = Diffuse{Color{unit(), unit(), unit()}};
+    }
+    scene.materials.set(id, material);
+}
+
+/// A still life in which light passes a veil and stays within glass.
+SceneBuilder materialStage(Integrator integrator) {
+    SceneBuilder b;
+    const MaterialId clay = b.material(Diffuse{}), veil = b.material(Mix{});
+    Material mix = b.scene().materials.at(veil);
+    std::get<Mix>(mix.value) = {.a = {{}, true}, .b = {clay}};
+    b.scene().materials.set(veil, mix);
+    b.object(Plane{}, b.material(Diffuse{}));
+    b.object(Sphere{1}, b.material(Glass{}), {-1, 1, 0});
+    b.object(Sphere{0.4}, b.material(Mirror{}), {-1, 1, 0});
+    b.object(Sphere{0.6}, b.material(Diffuse{}), {1, 0.6, 0});
+    b.object(Box{{1, 2, 0.2}}, veil, {0.3, 1, 1});
+    b.object(Sphere{0.5}, {}, {0, 4, 1}, {9, 8, 7});
+    b.scene().environment.color = Color{0.4, 0.5, 0.6};
+    b.pointLight({2, 3, 2}, {10, 9, 8});
+    b.camera({0, 2, 6}, {0, 0.8, 0}, 40);
+    b.scene().film.width = 24;
+    b.scene().film.height = 18;
+    b.scene().render.spp = 3;
+    b.scene().render.integrator = integrator;
+    b.scene().render.transparentShadows = true;
+    return b;
+}
+
+/// Random material edits one after the other, each compared with a render from nothing.
+void materialEditsAreExact(Integrator integrator, int edits, unsigned seed) {
+    std::mt19937 random(seed);
+    SceneBuilder b = materialStage(integrator);
+    Session session(2);
+    session.publish(viewOf(b.scene()));
+    session.publish(b.scene(), {});
+    static_cast<void>(waitFor(session, isConverged));
+    double share = 0;
+    int retraced = 0;
+    for (int i = 0; i < edits; ++i) {
+        editMaterials(b.scene(), random);
+        const std::uint64_t revision = session.publish(b.scene(), {});
+        const SessionFrame frame = waitFor(session, [&](const SessionFrame& f) { return f.revision == revision && isConverged(f); });
+        ASSERT_EQ(frame.pixels, shown(b.render().beauty, {})) << "edit " << i << " of seed " << seed;
+        if (frame.retracedShare < 1) share += frame.retracedShare, ++retraced;
+    }
+    EXPECT_GT(retraced, edits / 2) << "most edits are to keep some pixels";
+    testing::Test::RecordProperty("mean share of the pixels", std::to_string(share / retraced));
+}
+
+TEST(Session, MaterialEditsAreBitEqualToAFullRender) {
+    materialEditsAreExact(Integrator::Path, 150, 1);
+    materialEditsAreExact(Integrator::Classic, 150, 2);
+}
+TEST(SessionFull, TenThousandMaterialEditsAreBitEqualToAFullRender) {
+    if (!test::fullRun()) GTEST_SKIP() << "asked for by GLINT_FULL=1";
+    materialEditsAreExact(Integrator::Path, 5000, 3);
+    materialEditsAreExact(Integrator::Classic, 5000, 4);
+}
+
 TEST(Session, SurvivesRandomEditsResizesPausesAndQuits) {
     std::mt19937 random(1);
     SceneBuilder b = stillLife();

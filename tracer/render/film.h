@@ -1,13 +1,16 @@
 // Film: the sums of samples of every pixel. Each pixel is written by one worker at a time and its samples are added in the
-// order of their numbers, so the sums do not depend on threads, tiles or interruptions.
+// order of their numbers, so the sums do not depend on threads, tiles or interruptions. Copies share their tiles until one of
+// them is written to. The errors of a film are in tile_error.h.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "tracer/color/rgb.h"
 #include "tracer/io/image_file.h"
+#include "tracer/render/kernel.h"
 #include "tracer/render/render.h"
 
 namespace glint {
@@ -15,7 +18,9 @@ namespace glint {
 /// Sums in double of one pixel: half A holds the even samples, half B the odd ones. They are scrambled independently.
 struct FilmPixel {
     DVec3 sumA{0.0}, sumB{0.0};
+    std::uint64_t materials = 0;   ///< set of the materials that the samples rest on, see materialBit()
     std::uint32_t samples = 0;
+    std::uint32_t generation = 0;  ///< Film's own: sums of another generation are void
 
     void add(const Rgb& value) {
         (samples % 2 ? sumB : sumA) += toDouble(value);
@@ -25,43 +30,89 @@ struct FilmPixel {
     [[nodiscard]] Rgb mean() const { return samples ? toFloat((sumA + sumB) / static_cast<double>(samples)) : Rgb(0.0f); }
 };
 
+/// Of half A of one pixel alone: number, sum and sum of squares of its samples' luminance. Choices that rest on nothing else
+/// leave half B free of bias.
+struct HalfMoments {
+    std::uint32_t samples = 0;
+    double sum = 0, squares = 0;
+};
+
 class Film {
   public:
+    static constexpr int kTile = 16;  ///< pixels a side of what copies share; only one worker at a time may write to a tile
+
     Film() = default;
-    Film(int width, int height)
-        : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+    /// With `groups` above 1 the light of each group is also kept, so that it can be mixed; 1 to kMaxLightGroups.
+    Film(int width, int height, std::size_t groups = 1);
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
-    [[nodiscard]] FilmPixel& at(int x, int y) { return pixels_[index(x, y)]; }
-    [[nodiscard]] const FilmPixel& at(int x, int y) const { return pixels_[index(x, y)]; }
+    [[nodiscard]] std::size_t groups() const { return groups_; }
+    /// The pixel, its sums mixed: a value, because a mix is made when it is asked for.
+    [[nodiscard]] FilmPixel at(int x, int y) const {
+        const FilmPixel* pixel = find(x, y);
+        if (!pixel) return {};
+        return isMixed_ ? mixed(*pixel, x, y) : *pixel;
+    }
+    /// Without the work of mixing.
+    [[nodiscard]] std::uint32_t samples(int x, int y) const {
+        const FilmPixel* pixel = find(x, y);
+        return pixel ? pixel->samples : 0;
+    }
+    [[nodiscard]] std::uint64_t materials(int x, int y) const {
+        const FilmPixel* pixel = find(x, y);
+        return pixel ? pixel->materials : 0;
+    }
+    /// Unmixed.
+    [[nodiscard]] HalfMoments momentsA(int x, int y) const;
+
+    /// Adds the next sample of the pixel; `light` by group is used if groups() is above 1.
+    void add(int x, int y, const Rgb& value, const GroupLight& light, std::uint64_t materials);
     /// Takes the samples of a rectangle away.
     void clear(const PixelRect& rect);
+    /// Takes away the samples of the pixels that rest on any of `materials`, in one row of tiles; answers how many pixels.
+    std::size_t forget(std::uint64_t materials, int tileRow);
 
+    /// Shows the light of the groups with these factors; needs groups() to be their number. Sums of groups are in float: a mix
+    /// is right to some 1e-5, and the unit mix is exact.
+    void setMix(const LightMix& mix);
+    [[nodiscard]] const LightMix& mix() const { return mix_; }
+
+    [[nodiscard]] int columns() const { return (width_ + kTile - 1) / kTile; }
+    [[nodiscard]] int rows() const { return (height_ + kTile - 1) / kTile; }
+    /// Storage, tiles shared with copies included.
+    [[nodiscard]] std::size_t bytes() const;
     /// Means of all pixels.
     [[nodiscard]] Image image() const;
 
   private:
-    [[nodiscard]] std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    static constexpr std::size_t kPixels = static_cast<std::size_t>(kTile) * kTile;
+    struct Tile {
+        std::array<FilmPixel, kPixels> pixels;
+        std::array<float, kPixels> squaresA{};  ///< sums of squares of luminance
+        std::vector<Vec3> light;  ///< sums by group: pixel x half x group; empty with one group
+    };
+
+    [[nodiscard]] std::size_t tileOf(int x, int y) const {
+        return static_cast<std::size_t>(y / kTile) * static_cast<std::size_t>(columns()) + static_cast<std::size_t>(x / kTile);
     }
+    static std::size_t placeOf(int x, int y) { return static_cast<std::size_t>(y % kTile * kTile + x % kTile); }
+    [[nodiscard]] const FilmPixel* find(int x, int y) const {
+        const Tile* tile = tiles_[tileOf(x, y)].get();
+        if (!tile) return nullptr;
+        const FilmPixel& pixel = tile->pixels[placeOf(x, y)];
+        return pixel.generation == generation_ ? &pixel : nullptr;
+    }
+    /// The tile for writing: not shared with any copy.
+    Tile& own(std::size_t tile);
+    [[nodiscard]] FilmPixel mixed(const FilmPixel& pixel, int x, int y) const;
+
     int width_ = 0, height_ = 0;
-    std::vector<FilmPixel> pixels_;
+    std::size_t groups_ = 1;
+    std::uint32_t generation_ = 1;  ///< clearing the whole film is a step of this number
+    bool isMixed_ = false;
+    LightMix mix_;
+    std::vector<std::shared_ptr<Tile>> tiles_;
 };
-
-/// Root mean square over a tile's pixels of the standard error of their luminance, from the two halves: (A - B) / 2. 0 where no
-/// pixel has two samples.
-[[nodiscard]] double tileError(const Film& film, const PixelRect& tile);
-
-/// The picture's error: root mean square over its pixels of the standard error of their luminance, over the mean luminance of
-/// the picture. Infinite where no pixel has two samples; 0 for a black picture. With thousands of pixels its own error is
-/// small, so it needs no bound.
-[[nodiscard]] double pictureError(const Film& film, const PixelRect& rect);
-
-/// Whether a picture with that error and so many samples a pixel meets the stop rule `percent` (0: none). A few samples alone
-/// may by chance agree, and miss what is rare: fewer than 16 never do.
-[[nodiscard]] inline bool meetsErrorRule(double error, int samples, double percent) {
-    return percent > 0 && samples >= 16 && 100 * error <= percent;
-}
 
 }  // namespace glint

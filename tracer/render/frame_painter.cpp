@@ -54,8 +54,8 @@ void FramePainter::eachPixel(const Film& film, Color&& color, Painting& out) {
     });
 }
 
-bool FramePainter::paint(const std::shared_ptr<const RenderScene>& scene, const Film& film, int stride, const PaintSettings& settings,
-                         const CancelToken& cancel, Painting& out) {
+bool FramePainter::paint(const std::shared_ptr<const RenderScene>& scene, const Film& film, const Backdrop* backdrop, int stride,
+                         const TileErrors& errors, const PaintSettings& settings, const CancelToken& cancel, Painting& out) {
     const bool filters = settings.filtered && settings.channel == Channel::Beauty && stride == 1;
     if (filters || isSurfaceChannel(settings.channel)) {
         const std::uint32_t samples = stride > 1 ? 1 : GuideFilm::kSamples;
@@ -64,30 +64,24 @@ bool FramePainter::paint(const std::shared_ptr<const RenderScene>& scene, const 
     out.channel = settings.channel;
     out.filtered = filters;
     out.legend.reset();
-    findErrors(film, out.errors);
+    out.errors = errors;
     const int mask = ~(stride - 1);
     if (isSurfaceChannel(settings.channel)) {
         paintSurfaces(film, mask, out);
     } else if (settings.channel != Channel::Beauty) {
-        paintScale(film, mask, settings, out);
+        paintScale(film, backdrop, mask, settings, out);
     } else if (filters) {
         filter_.run(film, guides_, pool_, filteredLight_);
         const DisplayTransform transform(settings.display);
         eachPixel(film, [&](int x, int y) { return transform.apply(filteredLight_[static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width()) + static_cast<std::size_t>(x)]); }, out);
     } else {
-        paintBeauty(film, mask, DisplayTransform(settings.display), out);
+        paintBeauty(film, backdrop, mask, DisplayTransform(settings.display), out);
     }
     return true;
 }
 
-void FramePainter::paintBeauty(const Film& film, int mask, const DisplayTransform& transform, Painting& out) {
-    eachPixel(film,
-              [&](int x, int y) {
-                  const FilmPixel* pixel = &film.at(x, y);
-                  if (pixel->samples == 0) pixel = &film.at(x & mask, y & mask);
-                  return transform.apply(pixel->mean());
-              },
-              out);
+void FramePainter::paintBeauty(const Film& film, const Backdrop* backdrop, int mask, const DisplayTransform& transform, Painting& out) {
+    eachPixel(film, [&](int x, int y) { return transform.apply(shownAt(film, backdrop, mask, x, y)); }, out);
 }
 
 void FramePainter::paintSurfaces(const Film& film, int mask, Painting& out) {
@@ -114,7 +108,7 @@ void FramePainter::paintSurfaces(const Film& film, int mask, Painting& out) {
     });
 }
 
-void FramePainter::paintScale(const Film& film, int mask, const PaintSettings& settings, Painting& out) {
+void FramePainter::paintScale(const Film& film, const Backdrop* backdrop, int mask, const PaintSettings& settings, Painting& out) {
     const auto paint = [&](const Legend& legend, auto valueOf) {
         out.legend = legend;
         eachPixel(film, [&, legend](int x, int y) { return falseColor(placeOn(legend, valueOf(x, y))); }, out);
@@ -122,8 +116,8 @@ void FramePainter::paintScale(const Film& film, int mask, const PaintSettings& s
     if (out.channel == Channel::Samples) {
         std::uint32_t most = 1;
         for (int y = 0; y < film.height(); ++y)
-            for (int x = 0; x < film.width(); ++x) most = std::max(most, film.at(x, y).samples);
-        return paint({0, static_cast<double>(most), false}, [&](int x, int y) { return static_cast<float>(film.at(x, y).samples); });
+            for (int x = 0; x < film.width(); ++x) most = std::max(most, film.samples(x, y));
+        return paint({0, static_cast<double>(most), false}, [&](int x, int y) { return static_cast<float>(film.samples(x, y)); });
     }
     if (out.channel == Channel::Error)
         return paint({0.001, 1, true}, [&](int x, int y) { return out.errors.at(x, y).value_or(1.0f); });
@@ -131,34 +125,8 @@ void FramePainter::paintScale(const Film& film, int mask, const PaintSettings& s
     constexpr double kStops = 6, kMiddleGrey = 0.18;
     const float scale = static_cast<float>(std::exp2(settings.display.exposureEv) / kMiddleGrey);
     paint({-kStops, kStops, false}, [&](int x, int y) {
-        const FilmPixel* pixel = &film.at(x, y);
-        if (pixel->samples == 0) pixel = &film.at(x & mask, y & mask);
-        return std::log2(std::max(luminance(pixel->mean()) * scale, 1e-30f));
+        return std::log2(std::max(luminance(shownAt(film, backdrop, mask, x, y)) * scale, 1e-30f));
     });
-}
-
-void FramePainter::findErrors(const Film& film, TileErrors& out) {
-    const int width = film.width(), height = film.height();
-    constexpr int kTile = TileErrors::kTile;
-    const int rows = (height + kTile - 1) / kTile;
-    out.columns = (width + kTile - 1) / kTile;
-    out.bounds.assign(static_cast<std::size_t>(out.columns) * static_cast<std::size_t>(rows), -1.0f);
-    std::vector<double> light(static_cast<std::size_t>(rows), 0.0);
-    pool_.run(rows, [&](int, int row) {
-        for (int y = row * kTile; y < std::min(height, (row + 1) * kTile); ++y)
-            for (int x = 0; x < width; ++x) light[static_cast<std::size_t>(row)] += static_cast<double>(luminance(film.at(x, y).mean()));
-        for (int column = 0; column < out.columns; ++column) {
-            const int x = column * kTile, y = row * kTile;
-            if (film.at(x, y).samples < 2) continue;
-            const double bound = TileErrors::kBound * tileError(film, {x, y, std::min(kTile, width - x), std::min(kTile, height - y)});
-            out.bounds[static_cast<std::size_t>(row * out.columns + column)] = static_cast<float>(bound);
-        }
-    });
-    double sum = 0;
-    for (const double l : light) sum += l;
-    const double mean = sum / (static_cast<double>(width) * height);
-    for (float& bound : out.bounds)
-        if (bound > 0) bound = mean > 0 ? static_cast<float>(bound / mean) : 1.0f;
 }
 
 }  // namespace glint

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "tracer/color/display.h"
+#include "tracer/render/backdrop.h"
 #include "tracer/render/preview_filter.h"
+#include "tracer/render/tile_error.h"
 
 namespace glint {
 
@@ -21,23 +23,6 @@ struct Legend {
     double low = 0, high = 1;
     bool logarithmic = false;
     bool operator==(const Legend&) const = default;
-};
-
-/// Bounds of the error of tiles of the picture: what the root mean square over a tile's pixels of the standard error of their
-/// luminance stays below in 95 of 100 cases, as a share of the mean luminance of the picture.
-struct TileErrors {
-    static constexpr int kTile = 8;  ///< pixels
-    /// The square root of the 95 % point of the F distribution of (64, 64) degrees of freedom.
-    static constexpr double kBound = 1.23;
-    int columns = 0;
-    std::vector<float> bounds;  ///< row-major; below 0: not known yet
-
-    /// The tile's bound at a pixel.
-    [[nodiscard]] std::optional<float> at(int x, int y) const {
-        const auto i = static_cast<std::size_t>(y / kTile * columns + x / kTile);
-        if (x < 0 || y < 0 || x / kTile >= columns || i >= bounds.size() || bounds[i] < 0) return std::nullopt;
-        return bounds[i];
-    }
 };
 
 /// How it is to be shown.
@@ -61,17 +46,16 @@ class FramePainter {
   public:
     explicit FramePainter(WorkerPool& pool) : pool_(pool) {}
 
-    /// Paints `film`, which holds samples of `scene` at all pixels whose x and y are multiples of `stride` and maybe others. The
-    /// channels of surfaces and the filter trace guides first; false when cancelled meanwhile, `out` is then of no use.
+    /// Paints `film`, which holds samples of `scene` at all pixels whose x and y are multiples of `stride` and maybe others;
+    /// `backdrop`, which may be null, is shown where it has none. The channels of surfaces and the filter trace guides first; false when cancelled meanwhile, `out` is then of no use.
     /// The filter waits until every pixel has a sample.
-    bool paint(const std::shared_ptr<const RenderScene>& scene, const Film& film, int stride, const PaintSettings& settings,
-               const CancelToken& cancel, Painting& out);
+    bool paint(const std::shared_ptr<const RenderScene>& scene, const Film& film, const Backdrop* backdrop, int stride,
+               const TileErrors& errors, const PaintSettings& settings, const CancelToken& cancel, Painting& out);
 
   private:
-    void paintBeauty(const Film& film, int mask, const DisplayTransform& transform, Painting& out);
+    void paintBeauty(const Film& film, const Backdrop* backdrop, int mask, const DisplayTransform& transform, Painting& out);
     void paintSurfaces(const Film& film, int mask, Painting& out);
-    void paintScale(const Film& film, int mask, const PaintSettings& settings, Painting& out);
-    void findErrors(const Film& film, TileErrors& out);
+    void paintScale(const Film& film, const Backdrop* backdrop, int mask, const PaintSettings& settings, Painting& out);
     template <class Color>
     void eachPixel(const Film& film, Color&& color, Painting& out);
 

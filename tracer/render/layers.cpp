@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "tracer/render/tile_error.h"
+
 namespace glint {
 
 namespace {
@@ -101,7 +103,7 @@ void appendFilm(const Film& film, std::vector<ExrChannel>& channels) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-            const FilmPixel& pixel = film.at(x, y);
+            const FilmPixel pixel = film.at(x, y);
             const Rgb mean = pixel.mean();
             for (int c = 0; c < 3; ++c) out[static_cast<std::size_t>(c)].values[i] = mean[c];
             out[3].values[i] = static_cast<float>(pixel.samples);

@@ -1,5 +1,5 @@
 // How far a picture is from a reference that is itself uncertain. For the error report of bench and editor; the live error of a
-// render, which has no reference, is in film.h.
+// render, which has no reference, is in tile_error.h.
 #pragma once
 
 #include <vector>

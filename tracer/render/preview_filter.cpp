@@ -32,7 +32,7 @@ void PreviewFilter::load(const Film& film, const GuideFilm& guides, int y) {
         const Rgb albedo = divisor(guide), light = film.at(x, y).mean() / albedo;
         for (int c = 0; c < 3; ++c) {
             planes_.light[0][c].row(y)[x] = light[c];
-            planes_.normal[c].row(y)[x] = film.at(x, y).samples ? guide.seenNormal[c] : 0;
+            planes_.normal[c].row(y)[x] = film.samples(x, y) ? guide.seenNormal[c] : 0;
         }
         planes_.variance[0].row(y)[x] = varianceOf(film.at(x, y), albedo);
         planes_.nearness.row(y)[x] = guide.seenNearness;

@@ -5,8 +5,10 @@
 #include <fstream>
 #include <thread>
 
+#include "tracer/render/adaptive.h"
 #include "tracer/render/preview_filter.h"
 #include "tracer/render/scheduler.h"
+#include "tracer/render/stop_rule.h"
 
 namespace glint {
 
@@ -45,21 +47,14 @@ class HeadlessRender {
         std::jthread watcher;
         if (request_.stop || scene_.settings.timeSeconds > 0)
             watcher = std::jthread([this](const std::stop_token& end) { watch(end); });
-        const PixelRect all{0, 0, scene_.film.width, scene_.film.height};
-        const PixelRect rect = request_.crop.value_or(all);
-        const int target = scene_.settings.spp;
-        int done = 0;
+        rect_ = request_.crop.value_or(PixelRect{0, 0, scene_.film.width, scene_.film.height});
         bool complete = true, stopped = false;
-        while (complete && done < target && anotherSampleFits(done) && !meetsErrorRule(error_, done, scene_.settings.errorPercent)) {
+        while (complete && !isDone(scene_.settings, state()) && anotherSampleFits()) {
             if ((stopped = !waitWhilePaused())) break;
-            const int next = std::min(target, nextCount(done));
-            complete = scheduler.renderPass(scene_, film_, layers_ ? &*layers_ : nullptr, rect, 1, static_cast<std::uint32_t>(next), {&epoch_, 0}, counts_);
-            if (complete) done = next;
-            everyPixelHasASample_.store(done > 0, std::memory_order_relaxed);
-            error_ = pictureError(film_, rect);
-            report(done, target);
+            complete = pass(scheduler);
+            report();
         }
-        return finish(done, complete, stopped || (!complete && !timeIsUp()));
+        return finish(stopped || (!complete && !timeIsUp()));
     }
 
   private:
@@ -69,8 +64,9 @@ class HeadlessRender {
     [[nodiscard]] bool stopAsked() const { return request_.stop && request_.stop->load(std::memory_order_relaxed); }
 
     /// One more sample a pixel would end in time: a pass that is cut short leaves pixels uneven.
-    [[nodiscard]] bool anotherSampleFits(int done) const {
-        return scene_.settings.timeSeconds <= 0 || done == 0 || elapsed() * (done + 1) / done <= scene_.settings.timeSeconds;
+    [[nodiscard]] bool anotherSampleFits() const {
+        const int done = errors_.leastSamples;
+        return scene_.settings.timeSeconds <= 0 || done == 0 || samplesAdaptively(scene_.settings) || elapsed() * (done + 1) / done <= scene_.settings.timeSeconds;
     }
 
     /// False if the caller wants an end rather than the next pass.
@@ -101,42 +97,60 @@ class HeadlessRender {
         }
     }
 
+    /// One pass; false when cancelled. Uniform ones bring all pixels to one number of samples, adaptive ones are parts of a stage.
+    bool pass(Scheduler& scheduler) {
+        const int done = errors_.leastSamples, most = samplesInPass();
+        SampleGoal goal;
+        if (samplesAdaptively(scene_.settings)) {
+            if (goals_.empty()) goals_ = AdaptivePlan::next(film_, rect_, static_cast<std::uint32_t>(scene_.settings.spp));
+            goal = {.tiles = &goals_, .most = static_cast<std::uint32_t>(most)};
+        } else {
+            goal.samples = static_cast<std::uint32_t>(std::min(scene_.settings.spp, done + most));
+        }
+        const PassResult result = scheduler.renderPass(scene_, film_, layers_ ? &*layers_ : nullptr, rect_, 1, goal, {&epoch_, 0}, counts_);
+        everyPixelHasASample_.store(done > 0 || result != PassResult::Cancelled, std::memory_order_relaxed);
+        if (result == PassResult::Partial) return true;
+        // The rule by error is asked when a stage is whole, so that it does not depend on timing.
+        findErrors(film_, rect_, pool_, errors_);
+        trend_.add(elapsed(), errors_.picture);
+        if (result == PassResult::Done) goals_.clear();
+        return result == PassResult::Done;
+    }
+
+    [[nodiscard]] RenderProgressState state() const { return {elapsed(), errors_.meanSamples, errors_.leastSamples, errors_.picture}; }
+
     /// Passes grow from one sample, so that there is something to show early, to about half a second of work.
-    [[nodiscard]] int nextCount(int done) const {
-        if (done == 0) return 1;
-        const double perSample = elapsed() / done;
+    [[nodiscard]] int samplesInPass() const {
+        const double pixels = static_cast<double>(rect_.width) * rect_.height;
+        if (counts_.rays.primary == 0 || !(pixels > 0)) return 1;
+        const double perSample = elapsed() * pixels / static_cast<double>(counts_.rays.primary);
         double budget = 0.5;
         if (scene_.settings.timeSeconds > 0)
             budget = std::min(budget, std::max(0.0, (scene_.settings.timeSeconds - elapsed()) * 0.5));
-        const int byTime = static_cast<int>(std::min(1e6, budget / perSample));
-        return done + std::clamp(byTime, 1, std::max(1, done));
+        return std::clamp(static_cast<int>(std::min(1e6, budget / perSample)), 1, std::max(1, errors_.leastSamples));
     }
 
-    void report(int done, int target) const {
+    void report() const {
         if (!request_.progress) return;
-        const double seconds = elapsed();
-        double fraction = static_cast<double>(done) / target;
-        if (scene_.settings.timeSeconds > 0) fraction = std::max(fraction, seconds / scene_.settings.timeSeconds);
-        // The error falls with the root of the time, at least.
-        if (error_ > 0 && error_ < kInfinity) fraction = std::max(fraction, std::pow(0.01 * scene_.settings.errorPercent / error_, 2));
-        fraction = std::min(fraction, 1.0);
-        request_.progress({done, target, seconds, fraction > 0 ? seconds / fraction - seconds : 0, fraction, error_});
+        const double seconds = elapsed(), left = remainingSeconds(scene_.settings, state(), trend_);
+        const double fraction = left < kInfinity && seconds > 0 ? seconds / (seconds + left) : 0;
+        request_.progress({errors_.leastSamples, scene_.settings.spp, seconds, left < kInfinity ? left : 0, fraction, errors_.picture});
     }
 
-    Rendering finish(int done, bool complete, bool interrupted) {
+    Rendering finish(bool interrupted) {
         Rendering out;
         out.beauty = film_.image();
-        if (request_.filter) out.filtered = filtered(done);
+        if (request_.filter) out.filtered = filtered();
         if (request_.alpha) out.alpha = layers_->coverage();
         if (request_.layers) {
             appendFilm(film_, out.layers);
             layers_->appendTo(out.layers, scene_.settings.integrator == Integrator::Path);
         }
-        out.spp = done;
-        out.even = complete;
+        out.spp = errors_.leastSamples;
+        out.even = errors_.meanSamples == errors_.leastSamples;
         out.threads = pool_.threads();
         out.seconds = elapsed();
-        out.error = error_;
+        out.error = errors_.picture;
         out.rays = counts_.rays;
         out.work = counts_.work;
         out.kernel = chooseKernel(scene_, wantedFeatures() | (layers_ ? static_cast<Features>(Feature::Layers) : 0)).name;
@@ -147,10 +161,10 @@ class HeadlessRender {
     }
 
     /// The film denoised; only of the part that is rendered, where every pixel has a sample.
-    [[nodiscard]] Image filtered(int done) {
+    [[nodiscard]] Image filtered() {
         Image out{film_.width(), film_.height(), {}};
         out.rgb.resize(3 * static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
-        if (done == 0) return out;
+        if (errors_.leastSamples == 0) return out;
         GuideFilm guides;
         guides.refine(shared_, out.width, out.height, 1, GuideFilm::kSamples, {}, pool_);
         std::vector<Rgb> pixels;
@@ -168,8 +182,11 @@ class HeadlessRender {
     Film film_;
     std::optional<LayerFilm> layers_;
     RenderCounts counts_;
-    double error_ = kInfinity;
-    std::atomic<double> paused_{0};  ///< seconds; counted by run(), read by watch(), relaxed
+    PixelRect rect_;  ///< what is rendered
+    FilmErrors errors_;
+    ErrorTrend trend_;
+    std::vector<std::uint32_t> goals_;  ///< of the adaptive stage under way; empty: there is none
+    std::atomic<double> paused_{0};     ///< seconds; counted by run(), read by watch(), relaxed
     std::atomic<std::uint64_t> epoch_{0};  ///< moved by watch(); partner: the workers' CancelToken, relaxed
     std::atomic<bool> everyPixelHasASample_{false};  ///< partner: watch(), relaxed
 };

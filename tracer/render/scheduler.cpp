@@ -9,15 +9,8 @@ namespace {
 /// One worker's share of a pass; padded so that workers do not write to the same cache line.
 struct alignas(64) WorkerCounts {
     RenderCounts counts;
-    bool cancelled = false;
+    bool cancelled = false, partial = false;
 };
-
-void addSample(FilmPixel& pixel, const Rgb& value, int x, int y, RenderCounts& counts) {
-    if (isFinite(value)) return pixel.add(value);
-    ++counts.nonfinite;
-    if (!counts.firstNonfinite) counts.firstNonfinite = SamplePlace{x, y, static_cast<int>(pixel.samples)};
-    pixel.add(Rgb(0.0f));
-}
 
 void merge(RenderCounts& into, const RenderCounts& from) {
     into.rays.primary += from.rays.primary;
@@ -28,48 +21,101 @@ void merge(RenderCounts& into, const RenderCounts& from) {
     if (!into.firstNonfinite) into.firstNonfinite = from.firstNonfinite;
 }
 
+/// One pass, as all workers see it.
+class Pass {
+  public:
+    Pass(const RenderScene& scene, Features wanted, Film& film, LayerFilm* layers, const PixelRect& rect, int stride, const SampleGoal& goal,
+         const CancelToken& cancel)
+        : scene_(scene),
+          film_(film),
+          layers_(layers),
+          rect_(rect),
+          stride_(stride),
+          goal_(goal),
+          cancel_(cancel),
+          kernel_(chooseKernel(scene, wanted | (layers ? static_cast<Features>(Feature::Layers) : 0)).run),
+          // A piece of a coarse pass covers more pixels, so that it holds as many samples as any other. Pieces are made of whole
+          // tiles of the film, which have one writer at a time.
+          size_(Film::kTile * std::min(stride, 16)),
+          firstColumn_(rect.x / size_),
+          firstRow_(rect.y / size_),
+          columns_((rect.x + rect.width + size_ - 1) / size_ - firstColumn_),
+          rows_((rect.y + rect.height + size_ - 1) / size_ - firstRow_) {}
+
+    [[nodiscard]] int pieces() const { return std::max(columns_, 0) * std::max(rows_, 0); }
+
+    void render(int piece, WorkerCounts& own) {
+        LayerSample layerSample;
+        GroupLight groups{};
+        KernelState state{.scene = scene_, .cancel = cancel_, .layers = &layerSample, .groups = film_.groups() > 1 ? &groups : nullptr};
+        const int left = (firstColumn_ + piece % columns_) * size_, top = (firstRow_ + piece / columns_) * size_;
+        const int x1 = std::min(left + size_, rect_.x + rect_.width), y1 = std::min(top + size_, rect_.y + rect_.height);
+        for (int y = onGrid(std::max(top, rect_.y)); y < y1 && !own.cancelled; y += stride_)
+            for (int x = onGrid(std::max(left, rect_.x)); x < x1 && !own.cancelled; x += stride_) renderPixel(state, x, y, own);
+        merge(own.counts, {state.rays, state.work, 0, {}});
+    }
+
+  private:
+    [[nodiscard]] int onGrid(int v) const { return (v + stride_ - 1) / stride_ * stride_; }
+    [[nodiscard]] std::uint32_t goalAt(int x, int y) const {
+        if (!goal_.tiles) return goal_.samples;
+        const int columns = (film_.width() + kErrorTile - 1) / kErrorTile;
+        return (*goal_.tiles)[static_cast<std::size_t>(y / kErrorTile * columns + x / kErrorTile)];
+    }
+
+    void renderPixel(KernelState& state, int x, int y, WorkerCounts& own) {
+        const std::uint32_t goal = goalAt(x, y), begin = film_.samples(x, y);
+        for (std::uint32_t sample = begin; sample < goal; ++sample) {
+            if (sample - begin >= goal_.most) {
+                own.partial = true;
+                return;
+            }
+            if (layers_) *state.layers = {};
+            Rgb value = kernel_(state, x, y, sample);
+            if (state.cancelled) {
+                own.cancelled = true;
+                return;
+            }
+            if (!isFinite(value)) {
+                ++own.counts.nonfinite;
+                if (!own.counts.firstNonfinite) own.counts.firstNonfinite = SamplePlace{x, y, static_cast<int>(sample)};
+                value = Rgb(0.0f);
+                *state.layers = {};
+                if (state.groups) *state.groups = {};
+            }
+            if (layers_) layers_->add(x, y, *state.layers);
+            film_.add(x, y, value, state.groups ? *state.groups : GroupLight{}, state.materials);
+        }
+    }
+
+    const RenderScene& scene_;
+    Film& film_;
+    LayerFilm* layers_;
+    const PixelRect& rect_;
+    int stride_;
+    const SampleGoal& goal_;
+    const CancelToken& cancel_;
+    KernelFunction kernel_;
+    int size_, firstColumn_, firstRow_, columns_, rows_;
+};
+
 }  // namespace
 
-bool Scheduler::renderPass(const RenderScene& scene, Film& film, LayerFilm* layers, const PixelRect& rect, int stride,
-                           std::uint32_t samples, const CancelToken& cancel, RenderCounts& counts) {
-    const KernelFunction kernel = chooseKernel(scene, wanted_ | (layers ? static_cast<Features>(Feature::Layers) : 0)).run;
-    // A tile of a coarse pass covers more pixels, so that it holds as many samples as any other.
-    const int size = kTile * std::min(stride, 16);
-    const int columns = (rect.width + size - 1) / size, rows = (rect.height + size - 1) / size;
+PassResult Scheduler::renderPass(const RenderScene& scene, Film& film, LayerFilm* layers, const PixelRect& rect, int stride,
+                                 const SampleGoal& goal, const CancelToken& cancel, RenderCounts& counts) {
+    Pass pass(scene, wanted_, film, layers, rect, stride, goal, cancel);
     std::vector<WorkerCounts> workers(static_cast<std::size_t>(pool_.threads()));
-
-    const auto renderTile = [&](int worker, int tile) {
+    pool_.run(pass.pieces(), [&](int worker, int piece) {
         WorkerCounts& own = workers[static_cast<std::size_t>(worker)];
-        LayerSample layerSample;
-        KernelState state{scene, cancel, {}, false, &layerSample};
-        const int x0 = rect.x + tile % columns * size, y0 = rect.y + tile / columns * size;
-        const int x1 = std::min(x0 + size, rect.x + rect.width), y1 = std::min(y0 + size, rect.y + rect.height);
-        const auto firstMultiple = [stride](int v) { return (v + stride - 1) / stride * stride; };
-        for (int y = firstMultiple(y0); y < y1; y += stride)
-            for (int x = firstMultiple(x0); x < x1; x += stride) {
-                FilmPixel& pixel = film.at(x, y);
-                while (pixel.samples < samples) {
-                    if (layers) layerSample = {};
-                    const Rgb value = kernel(state, x, y, pixel.samples);
-                    if (state.cancelled) {
-                        own.cancelled = true;
-                        merge(own.counts, {state.rays, state.work, 0, {}});
-                        return;
-                    }
-                    if (layers) layers->add(x, y, isFinite(value) ? layerSample : LayerSample{});
-                    addSample(pixel, value, x, y, own.counts);
-                }
-            }
-        merge(own.counts, {state.rays, state.work, 0, {}});
-    };
-    pool_.run(columns * rows, renderTile);
-
-    bool complete = true;
+        if (!own.cancelled) pass.render(piece, own);
+    });
+    bool cancelled = false, partial = false;
     for (const WorkerCounts& worker : workers) {
         merge(counts, worker.counts);
-        complete = complete && !worker.cancelled;
+        cancelled = cancelled || worker.cancelled;
+        partial = partial || worker.partial;
     }
-    return complete;
+    return cancelled ? PassResult::Cancelled : partial ? PassResult::Partial : PassResult::Done;
 }
 
 }  // namespace glint

@@ -30,6 +30,13 @@ struct ViewSettings {
     bool operator==(const ViewSettings&) const = default;
 };
 
+/// How soon an edit showed, in seconds from publish(scene) on; below 0: not yet, or not at all because the next one came.
+struct EditLatency {
+    double stopped = -1;         ///< the work on what was before had ended
+    double firstPicture = -1;    ///< a picture of the edited scene could be taken
+    double fullResolution = -1;  ///< one in which every pixel has a sample could be taken
+};
+
 enum class SessionState { Idle, Rendering, Paused, Converged };
 
 /// A picture ready to be shown, with what is known about it.
@@ -42,7 +49,12 @@ struct SessionFrame : Painting {
     int sppTarget = 0;
     double seconds = 0;   ///< spent on this picture
     double remainingSeconds = 0;  ///< until a stop rule ends it, at the present rate; 0 when done, infinite while unknown
+    double samples = 0;   ///< mean number a pixel; more than spp where tiles are sampled by their error
     double error = 0;     ///< of the picture, see pictureError(); infinite before the second sample
+    std::uint64_t rays = 0;      ///< traced since the session began
+    std::uint64_t restarts = 0;  ///< edits since the session began that threw all samples away
+    double retracedShare = 0;    ///< share of the pixels that the last edit threw away: 1 after a restart, 0 if all was kept
+    EditLatency latency;         ///< of the edit with this revision
     double raysPerSecond = 0;
     std::uint64_t nonfiniteSamples = 0;
     std::string kernel;                 ///< name of the kernel in use
@@ -65,6 +77,8 @@ class Session {
     /// Shows `scene` from now on; files it names are relative to `assetFolder`. Returns the revision its frames carry.
     std::uint64_t publish(Scene scene, std::filesystem::path assetFolder);
     void publish(const ViewSettings& view);
+    /// Both at once: no frame shows one without the other.
+    std::uint64_t publish(Scene scene, std::filesystem::path assetFolder, const ViewSettings& view);
 
     /// The newest frame if there is one that was not taken yet, else null. It belongs to the caller until the next take().
     [[nodiscard]] const SessionFrame* take();

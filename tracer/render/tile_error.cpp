@@ -1,0 +1,107 @@
+#include "tracer/render/tile_error.h"
+
+#include <algorithm>
+
+namespace glint {
+
+namespace {
+
+/// Of one pixel's luminance, from its halves: their difference has twice the spread of their mean.
+double standardError(const FilmPixel& pixel) {
+    const double countB = pixel.samples / 2, countA = pixel.samples - countB;
+    const DVec3 difference = pixel.sumA / countA - pixel.sumB / countB;
+    return 0.5 * std::abs(luminance(Color{difference.x, difference.y, difference.z}));
+}
+
+ErrorSum sumOver(const Film& film, const PixelRect& rect) {
+    ErrorSum out;
+    for (int y = rect.y; y < rect.y + rect.height; ++y)
+        for (int x = rect.x; x < rect.x + rect.width; ++x) out.add(film.at(x, y));
+    return out;
+}
+
+}  // namespace
+
+void ErrorSum::add(const FilmPixel& pixel) {
+    if (pixel.samples < 2) return;
+    const double error = standardError(pixel);
+    squares += error * error;
+    light += static_cast<double>(luminance(pixel.mean()));
+    ++pixels;
+}
+
+void ErrorSum::add(const ErrorSum& other) {
+    squares += other.squares;
+    light += other.light;
+    pixels += other.pixels;
+}
+
+double ErrorSum::relativeError() const {
+    if (pixels == 0) return kInfinity;
+    const auto n = static_cast<double>(pixels);
+    return squares == 0 ? 0 : std::sqrt(squares / n) / (light / n);
+}
+
+double tileError(const Film& film, const PixelRect& tile) {
+    const ErrorSum sum = sumOver(film, tile);
+    return sum.pixels ? std::sqrt(sum.squares / static_cast<double>(sum.pixels)) : 0;
+}
+
+double errorBoundFactor(int pixels) {
+    // z = ln(F) / 2 is symmetric and nearly normal with the variance sigma^2 / 2 (Fisher 1924), and ln(sqrt F) = z.
+    constexpr double x = 1.6448536269514722;  // 95 % point of the normal distribution
+    const double sigma2 = 2.0 / std::max(pixels, 2);
+    return std::exp(std::sqrt(sigma2 / 2) * (x + sigma2 * (x * x * x + 3 * x) / 24));
+}
+
+void findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, FilmErrors& out) {
+    const int width = film.width(), height = film.height(), rows = (height + kErrorTile - 1) / kErrorTile;
+    out.tiles.columns = (width + kErrorTile - 1) / kErrorTile;
+    out.tiles.bounds.assign(static_cast<std::size_t>(out.tiles.columns) * static_cast<std::size_t>(rows), -1.0f);
+    struct Row {
+        ErrorSum inRect;
+        double light = 0, samples = 0;
+        std::int64_t pixels = 0;
+        std::uint32_t least = ~0u;
+    };
+    std::vector<Row> sums(static_cast<std::size_t>(rows));
+    pool.run(rows, [&](int, int row) {
+        Row& own = sums[static_cast<std::size_t>(row)];
+        for (int column = 0; column < out.tiles.columns; ++column) {
+            ErrorSum tile;
+            for (int y = row * kErrorTile; y < std::min(height, (row + 1) * kErrorTile); ++y)
+                for (int x = column * kErrorTile; x < std::min(width, (column + 1) * kErrorTile); ++x) {
+                    const FilmPixel pixel = film.at(x, y);
+                    tile.add(pixel);
+                    if (x < rect.x || x >= rect.x + rect.width || y < rect.y || y >= rect.y + rect.height) continue;
+                    own.inRect.add(pixel);
+                    own.samples += pixel.samples;
+                    own.least = std::min(own.least, pixel.samples);
+                }
+            own.light += tile.light;
+            own.pixels += tile.pixels;
+            if (tile.pixels == 0) continue;
+            const double bound = errorBoundFactor(static_cast<int>(tile.pixels)) * std::sqrt(tile.squares / static_cast<double>(tile.pixels));
+            out.tiles.bounds[static_cast<std::size_t>(row * out.tiles.columns + column)] = static_cast<float>(bound);
+        }
+    });
+    Row all;
+    for (const Row& row : sums) {
+        all.inRect.add(row.inRect);
+        all.light += row.light;
+        all.pixels += row.pixels;
+        all.samples += row.samples;
+        all.least = std::min(all.least, row.least);
+    }
+    const double area = static_cast<double>(rect.width) * rect.height;
+    out.meanSamples = area > 0 ? all.samples / area : 0;
+    out.leastSamples = area > 0 ? static_cast<int>(all.least) : 0;
+    out.picture = all.inRect.relativeError();
+    const double mean = all.pixels ? all.light / static_cast<double>(all.pixels) : 0;
+    for (float& bound : out.tiles.bounds)
+        if (bound > 0) bound = mean > 0 ? static_cast<float>(bound / mean) : 1.0f;
+}
+
+double pictureError(const Film& film, const PixelRect& rect) { return sumOver(film, rect).relativeError(); }
+
+}  // namespace glint

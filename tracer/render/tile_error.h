@@ -1,0 +1,69 @@
+// How noisy a film is, told from the difference of its halves, which are scrambled independently: per tile of 8 x 8 pixels with a
+// 95 % bound, and as one figure for the picture. The stop rule by error is here too.
+#pragma once
+
+#include <optional>
+
+#include "tracer/render/film.h"
+#include "tracer/render/worker_pool.h"
+
+namespace glint {
+
+inline constexpr int kErrorTile = 8;  ///< pixels a side
+
+/// Root mean square over a tile's pixels of the standard error of their luminance: (A - B) / 2. 0 where no pixel has two
+/// samples.
+[[nodiscard]] double tileError(const Film& film, const PixelRect& tile);
+
+/// What a tile's true error (root mean square over its pixels of mean minus truth, in luminance) stays below in 95 of 100 tiles
+/// is this factor times tileError(). With n pixels whose errors are near to normal, the ratio of the two squares has the F
+/// distribution with n and n degrees of freedom. The root of its 95 % point is taken by Fisher's z and one term of its
+/// Cornish-Fisher series: within 1 % from n = 4 on, 4 % below. 1.23 for a whole tile.
+[[nodiscard]] double errorBoundFactor(int pixels);
+
+/// The picture's error: root mean square over its pixels of the standard error of their luminance, over the mean luminance of
+/// the picture. Infinite where no pixel has two samples; 0 for a black picture. With thousands of pixels its own error is
+/// small, so it needs no bound.
+[[nodiscard]] double pictureError(const Film& film, const PixelRect& rect);
+
+/// Parts of a picture's error that add up, so that it can be found by many workers.
+struct ErrorSum {
+    double squares = 0, light = 0;
+    std::int64_t pixels = 0;
+
+    void add(const FilmPixel& pixel);
+    void add(const ErrorSum& other);
+    [[nodiscard]] double relativeError() const;  ///< pictureError()
+};
+
+/// Bounds of the errors of all tiles: tileError() times errorBoundFactor(), as a share of the mean luminance of the picture.
+struct TileErrors {
+    static constexpr int kTile = kErrorTile;
+    int columns = 0;
+    std::vector<float> bounds;  ///< row-major; below 0: not known yet
+
+    /// The tile's bound at a pixel.
+    [[nodiscard]] std::optional<float> at(int x, int y) const {
+        const auto i = static_cast<std::size_t>(y / kTile * columns + x / kTile);
+        if (x < 0 || y < 0 || x / kTile >= columns || i >= bounds.size() || bounds[i] < 0) return std::nullopt;
+        return bounds[i];
+    }
+};
+
+/// The errors of a film, found on many threads.
+struct FilmErrors {
+    TileErrors tiles;
+    double picture = kInfinity;  ///< pictureError() of the rectangle asked for
+    double meanSamples = 0;      ///< a pixel of that rectangle
+    int leastSamples = 0;        ///< that every pixel of it has
+};
+/// Bounds of all tiles, and the error of the pixels of `rect`.
+void findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, FilmErrors& out);
+
+/// Whether a picture with that error and so many samples a pixel meets the stop rule `percent` (0: none). A few samples alone
+/// may by chance agree, and miss what is rare: fewer than 16 never do.
+[[nodiscard]] inline bool meetsErrorRule(double error, int samples, double percent) {
+    return percent > 0 && samples >= 16 && 100 * error <= percent;
+}
+
+}  // namespace glint
