@@ -1,0 +1,183 @@
+// Bounds of the error of tiles, the choice of tiles to sample, and the forecast of the end.
+#include <gtest/gtest.h>
+
+#include "tests/support/rays.h"
+#include "tests/support/scenes.h"
+#include "tests/support/paths.h"
+#include "tracer/io/scene_json.h"
+#include "tracer/render/adaptive.h"
+#include "tracer/render/scheduler.h"
+#include "tracer/render/stop_rule.h"
+
+namespace glint {
+namespace {
+
+TEST(TileError, BoundFactorIsTheRootOfTheFDistribution) {
+    // Roots of tabled 95 % points of F(n, n).
+    EXPECT_NEAR(errorBoundFactor(64), std::sqrt(1.5133), 1e-4);
+    EXPECT_NEAR(errorBoundFactor(32), std::sqrt(1.8045), 2e-4);
+    EXPECT_NEAR(errorBoundFactor(8), std::sqrt(3.438), 0.01 * std::sqrt(3.438));
+    EXPECT_NEAR(errorBoundFactor(4), std::sqrt(6.388), 0.01 * std::sqrt(6.388));
+}
+
+/// Adds samples up to the goals; `valueOf(random)` draws one.
+template <class Value>
+void addUpTo(Film& film, const std::vector<std::uint32_t>& goals, test::Random& random, Value valueOf) {
+    const int columns = (film.width() + kErrorTile - 1) / kErrorTile;
+    for (int y = 0; y < film.height(); ++y)
+        for (int x = 0; x < film.width(); ++x)
+            while (film.samples(x, y) < goals[static_cast<std::size_t>(y / kErrorTile * columns + x / kErrorTile)])
+                film.add(x, y, Rgb(valueOf(random)), {}, 0);
+}
+
+float spikes(test::Random& random) { return random.next() % 1000 == 0 ? 20.2f : 0.2f; }
+
+double meanOf(const Film& film) {
+    double sum = 0;
+    for (int y = 0; y < film.height(); ++y)
+        for (int x = 0; x < film.width(); ++x) sum += static_cast<double>(film.at(x, y).mean().x);
+    return sum / (film.width() * film.height());
+}
+
+/// Stops a stage early on purpose: the mean must not follow the choice of tiles.
+TEST(Adaptive, RareSpikesAreNotLost) {  // T23: 0.2 + 20 Bernoulli(1e-3), bias at most 0.5 %
+    test::Random random(7);
+    constexpr int kSize = 128, kPictures = 6;
+    double mean = 0;
+    for (int i = 0; i < kPictures; ++i) {
+        Film film(kSize, kSize);
+        for (int stage = 0; stage < 13; ++stage) addUpTo(film, AdaptivePlan::next(film, {0, 0, kSize, kSize}, 1u << 20), random, spikes);
+        ASSERT_GT(film.momentsA(0, 0).samples, 0u);
+        mean += meanOf(film) / kPictures;
+    }
+    const double exact = 0.2 + 20e-3;
+    // Standard error of so many samples, at least 64 a pixel: 20 sqrt(1e-3 / n).
+    const double sigma = 20 * std::sqrt(1e-3 / (64.0 * kSize * kSize * kPictures));
+    EXPECT_NEAR(mean, exact, 0.005 * exact + 3 * sigma) << "sigma " << sigma;
+}
+
+/// Nine tenths of the picture hardly vary: the rest must get most of the samples, and the error fall faster than with equal ones.
+TEST(Adaptive, SpendsSamplesWhereTheErrorIs) {
+    constexpr int kSize = 80;
+    test::Random random(3);
+    const auto render = [&](bool adaptive) {
+        Film film(kSize, kSize);
+        double samples = 0;
+        std::vector<std::uint32_t> goals(static_cast<std::size_t>(kSize / kErrorTile * kSize / kErrorTile), 256);
+        for (int stage = 0; samples < 256; ++stage) {
+            if (adaptive) goals = AdaptivePlan::next(film, {0, 0, kSize, kSize}, 256);
+            const int columns = kSize / kErrorTile;
+            samples = 0;
+            for (int y = 0; y < kSize; ++y)
+                for (int x = 0; x < kSize; ++x) {
+                    const std::uint32_t goal = goals[static_cast<std::size_t>(y / kErrorTile * columns + x / kErrorTile)];
+                    while (film.samples(x, y) < goal) film.add(x, y, Rgb(y < 8 ? 2 * random.uniform() : 1 + 0.01f * random.uniform()), {}, 0);
+                    samples += static_cast<double>(film.samples(x, y)) / (kSize * kSize);
+                }
+        }
+        return film;
+    };
+    const PixelRect all{0, 0, kSize, kSize};
+    const double equal = pictureError(render(false), all), adaptive = pictureError(render(true), all);
+    EXPECT_LT(adaptive, 0.6 * equal);
+}
+
+TEST(Adaptive, CountsArePowersOfTwoAndNoneFallsBehind) {
+    Film film(64, 40);
+    test::Random random(5);
+    for (int stage = 0; stage < 30; ++stage) {
+        const auto goals = AdaptivePlan::next(film, {0, 0, 64, 40}, 1u << 20);
+        const auto [least, most] = std::minmax_element(goals.begin(), goals.end());
+        EXPECT_LE(*most, 2 * AdaptivePlan::kSpread * *least);
+        for (const std::uint32_t goal : goals) EXPECT_EQ(goal & (goal - 1), 0u);
+        if (*most > 4096) break;
+        int pixel = 0;
+        addUpTo(film, goals, random, [&](test::Random& r) { return ++pixel % 97 == 0 ? 50 * static_cast<float>(r.uniform()) : 1.0f; });
+    }
+}
+
+/// One scene's tiles whose true error is within the bound.
+struct Coverage {
+    int inside = 0, tiles = 0;
+    [[nodiscard]] double share() const { return static_cast<double>(inside) / tiles; }
+};
+
+Coverage coverageOf(const std::string& file, int seeds, int spp, int referenceSpp) {
+    Scene scene = loadScene(test::inSource("scenes/" + file)).value();
+    scene.film.width = scene.film.height = 48;
+    scene.film.filter = Filter::Box;
+    scene.film.filterRadius = 0.5;
+    scene.render.errorPercent = scene.render.timeSeconds = 0;
+    const auto filmOf = [&](int seed, int samples) {
+        scene.render.seed = seed;
+        AssetCache assets;
+        const auto compiled = compile(scene, test::inSource("scenes/" + file).parent_path(), assets).value();
+        WorkerPool pool(2);
+        Film film(48, 48);
+        RenderCounts counts;
+        Scheduler(pool).renderPass(*compiled.scene, film, nullptr, {0, 0, 48, 48}, 1, {.samples = static_cast<std::uint32_t>(samples)}, {}, counts);
+        return film;
+    };
+    const Film reference = filmOf(1000, referenceSpp);
+    Coverage out;
+    for (int seed = 0; seed < seeds; ++seed) {
+        const Film film = filmOf(seed, spp);
+        for (int y = 0; y < 48; y += kErrorTile)
+            for (int x = 0; x < 48; x += kErrorTile) {
+                double squares = 0;
+                for (int py = y; py < y + kErrorTile; ++py)
+                    for (int px = x; px < x + kErrorTile; ++px) squares += std::pow(static_cast<double>(luminance(film.at(px, py).mean() - reference.at(px, py).mean())), 2);
+                const double bound = errorBoundFactor(64) * tileError(film, {x, y, kErrorTile, kErrorTile});
+                // Where nothing is left to chance both are rounding.
+                if (bound < 1e-6) continue;
+                ++out.tiles;
+                out.inside += std::sqrt(squares / 64) <= bound;
+            }
+    }
+    return out;
+}
+
+TEST(TileErrorCoverage, BoundsHoldForNinetyFiveTilesInAHundred) {
+    for (const char* file : {"report.json", "demo/cornell.json"}) {
+        const Coverage coverage = coverageOf(file, 6, 32, 1024);
+        // 36 tiles x 6 seeds: 3 standard deviations of the count are 4.5 %.
+        EXPECT_GT(coverage.share(), 0.92 - 0.045) << file;
+        EXPECT_GT(coverage.tiles, 150) << file;
+        RecordProperty(file, std::to_string(coverage.share()));
+    }
+}
+TEST(TileErrorCoverageFull, BoundsHoldForNinetyFiveTilesInAHundred) {
+    if (!test::fullRun()) GTEST_SKIP() << "asked for by GLINT_FULL=1";
+    for (const char* file : {"report.json", "demo/cornell.json", "demo/still_life.json", "demo/outdoor.json", "demo/many_balls.json", "demo/materials.json", "demo/columns.json"}) {
+        const Coverage coverage = coverageOf(file, 30, 64, 8192);
+        std::printf("%s: %.1f %% of %d tiles\n", file, 100 * coverage.share(), coverage.tiles);
+        EXPECT_GE(coverage.share(), 0.92) << file;
+        EXPECT_LE(coverage.share(), 0.98) << file;
+    }
+}
+
+TEST(ErrorTrend, ForecastsAPowerLaw) {
+    ErrorTrend trend;
+    for (double t = 1; t <= 64; t *= 1.5) trend.add(t, 0.2 * std::pow(t, -0.7));
+    EXPECT_NEAR(trend.slope(), -0.7, 1e-9);
+    const double last = std::pow(1.5, std::floor(std::log(64) / std::log(1.5)));
+    EXPECT_NEAR(trend.secondsUntil(0.2 * std::pow(1000, -0.7)), 1000 - last, 1e-6 * 1000);
+    EXPECT_EQ(trend.secondsUntil(1), 0);
+}
+
+TEST(StopRule, TheFirstOneThatIsMetCounts) {
+    RenderSettings rules;
+    rules.spp = 100;
+    ErrorTrend trend;
+    EXPECT_FALSE(isDone(rules, {10, 50, 50, 0.01}));
+    EXPECT_NEAR(remainingSeconds(rules, {10, 50, 50, 0.01}, trend), 10, 1e-12);
+    rules.timeSeconds = 15;
+    EXPECT_NEAR(remainingSeconds(rules, {10, 50, 50, 0.01}, trend), 5, 1e-12);
+    rules.errorPercent = 1;
+    EXPECT_TRUE(isDone(rules, {10, 50, 50, 0.01}));
+    EXPECT_EQ(remainingSeconds(rules, {10, 50, 50, 0.01}, trend), 0);
+    EXPECT_FALSE(isDone(rules, {20, 0, 0, 0.02})) << "no picture yet";
+}
+
+}  // namespace
+}  // namespace glint
