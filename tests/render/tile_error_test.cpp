@@ -62,17 +62,17 @@ TEST(Adaptive, SpendsSamplesWhereTheErrorIs) {
     test::Random random(3);
     const auto render = [&](bool adaptive) {
         Film film(kSize, kSize);
-        double samples = 0;
+        std::uint64_t samples = 0;
         std::vector<std::uint32_t> goals(static_cast<std::size_t>(kSize / kErrorTile * kSize / kErrorTile), 256);
-        for (int stage = 0; samples < 256; ++stage) {
+        while (samples < 256 * kSize * kSize) {
             if (adaptive) goals = AdaptivePlan::next(film, {0, 0, kSize, kSize}, 256);
             const int columns = kSize / kErrorTile;
             samples = 0;
             for (int y = 0; y < kSize; ++y)
                 for (int x = 0; x < kSize; ++x) {
                     const std::uint32_t goal = goals[static_cast<std::size_t>(y / kErrorTile * columns + x / kErrorTile)];
-                    while (film.samples(x, y) < goal) film.add(x, y, Rgb(y < 8 ? 2 * random.uniform() : 1 + 0.01f * random.uniform()), {}, 0);
-                    samples += static_cast<double>(film.samples(x, y)) / (kSize * kSize);
+                    while (film.samples(x, y) < goal) film.add(x, y, Rgb(static_cast<float>(y < 8 ? 2 * random.uniform() : 1 + 0.01 * random.uniform())), {}, 0);
+                    samples += film.samples(x, y);
                 }
         }
         return film;
