@@ -26,8 +26,9 @@ QImage trace(Scene scene, int spp, const std::filesystem::path& folder, AssetCac
     RenderRequest request;
     request.threads = 1;
     request.stop = &stop;
+    request.filter = true;  // A few samples must do for a small picture.
     const Rendering rendering = render(compiled.value().scene, request);
-    return stop.load(std::memory_order_relaxed) ? QImage() : screenPicture(rendering.beauty, scene.display);
+    return stop.load(std::memory_order_relaxed) ? QImage() : screenPicture(rendering.filtered, scene.display);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <QListWidget>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -13,6 +14,7 @@
 #include "gui/app/scene_thumbnails.h"
 #include "gui/app/text.h"
 #include "gui/widgets/icons.h"
+#include "gui/widgets/tile_list.h"
 
 namespace glint {
 
@@ -67,10 +69,21 @@ StartPage::StartPage(SceneThumbnails& thumbnails, const QStringList& recent, QWi
     setObjectName("startPage");
     setAutoFillBackground(true);
     setAccessibleName(tr("Start page"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(28, 20, 28, 20);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(28, 20, 8, 20);
+    outer->setSpacing(12);
+    addHeader(outer);
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    auto* content = new QWidget(scroll);
+    scroll->setWidget(content);
+    outer->addWidget(scroll, 1);
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 0, 12, 0);
     layout->setSpacing(8);
-    addHeader(layout);
     addFiles(layout, tr("New from a template"), "start.templates", sceneFiles(templateFolder()), &StartPage::templateRequested);
     addFiles(layout, tr("Demos"), "start.demos", sceneFiles(demoFolder()), &StartPage::openRequested);
     std::vector<std::filesystem::path> files;
@@ -80,7 +93,7 @@ StartPage::StartPage(SceneThumbnails& thumbnails, const QStringList& recent, QWi
     }
     if (!files.empty()) addFiles(layout, tr("Recent"), "start.recent", files, &StartPage::openRequested);
     layout->addStretch();
-    addFooter(layout);
+    addFooter(outer);
     connect(&thumbnails_, &SceneThumbnails::ready, this, &StartPage::showPicture);
 }
 
@@ -106,21 +119,9 @@ void StartPage::addFiles(QVBoxLayout* layout, const QString& title, const QStrin
     auto* heading = new QLabel(title, this);
     heading->setEnabled(false);
     layout->addWidget(heading);
-    auto* list = new QListWidget(this);
+    auto* list = new TileList(kThumbnail, this);
     list->setObjectName(name);
     list->setAccessibleName(title);
-    list->setFrameShape(QFrame::NoFrame);
-    list->setViewMode(QListView::IconMode);
-    list->setFlow(QListView::LeftToRight);
-    list->setWrapping(false);
-    list->setMovement(QListView::Static);
-    list->setIconSize(kThumbnail);
-    list->setGridSize(kThumbnail + QSize(14, fontMetrics().height() + 14));
-    list->setTextElideMode(Qt::ElideMiddle);
-    list->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    list->setFixedHeight(list->gridSize().height() + list->style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 4);
-    list->viewport()->setAutoFillBackground(false);
     for (const auto& file : files) {
         auto* item = new QListWidgetItem(QIcon(tile({}, devicePixelRatioF())), sceneTitle(file), list);
         item->setData(Qt::UserRole, pathText(file));
