@@ -28,6 +28,11 @@ QImage MaterialPreviews::of(MaterialId material) {
     return shown.picture;
 }
 
+void MaterialPreviews::hurry(MaterialId material) {
+    if (const auto found = shown_.find(material); found != shown_.end() && found->second.picture.isNull()) found->second.key.clear();
+    (void)of(material);
+}
+
 QImage MaterialPreviews::of(const Scene& scene, MaterialId material, const QString& slot) {
     Shown& shown = slots_[slot];
     if (shown.key.isEmpty()) ask(shown, scene, material, slot);

@@ -23,6 +23,8 @@ class MaterialPreviews : public QObject {
 
     /// The newest picture of the material; null, or that of an older state of it, while the right one is made.
     [[nodiscard]] QImage of(MaterialId material);
+    /// Makes the material's first picture before those of others: somebody looks at it.
+    void hurry(MaterialId material);
     /// A picture of a material that is not the document's, such as a preset.
     [[nodiscard]] QImage of(const Scene& scene, MaterialId material, const QString& slot);
 

@@ -47,7 +47,8 @@ class PaletteIconEngine : public QIconEngine {
   private:
     static QString color(QIcon::Mode mode, QIcon::State) {
         const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
-        return QApplication::palette().color(group, QPalette::ButtonText).name();
+        const auto role = mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::ButtonText;
+        return QApplication::palette().color(group, role).name();
     }
 
     QString name_;

@@ -12,6 +12,7 @@ PreviewBall::PreviewBall(MaterialPreviews& previews, MaterialId material, QWidge
     connect(&previews, &MaterialPreviews::changed, this, [this](MaterialId changed) {
         if (changed == material_) showPicture();
     });
+    previews.hurry(material);
     showPicture();
 }
 
