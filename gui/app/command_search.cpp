@@ -12,8 +12,10 @@ namespace glint {
 
 namespace {
 
+constexpr int kNoMatch = 5;
+
 /// All letters of `wanted` stand in `text` in this order.
-bool matches(const QString& text, const QString& wanted) {
+bool holdsLetters(const QString& text, const QString& wanted) {
     qsizetype at = 0;
     for (const QChar c : wanted) {
         if (c.isSpace()) continue;
@@ -23,10 +25,22 @@ bool matches(const QString& text, const QString& wanted) {
     return true;
 }
 
-/// Names that begin with the text come first, then those that hold it, then the rest.
-int rankOf(const QString& name, const QString& text) {
+/// How well a command answers to the text: its name begins with it, a word of its name does, its name holds it, its explanation
+/// does, its name holds the letters; or kNoMatch.
+int rankOf(const QAction* action, const QString& text) {
+    const QString name = Actions::plainText(action);
     if (name.startsWith(text, Qt::CaseInsensitive)) return 0;
-    return name.contains(text, Qt::CaseInsensitive) ? 1 : 2;
+    if (name.contains(' ' + text, Qt::CaseInsensitive)) return 1;
+    if (name.contains(text, Qt::CaseInsensitive)) return 2;
+    if ((Actions::groupOf(action) + ' ' + action->statusTip()).contains(text, Qt::CaseInsensitive)) return 3;
+    return holdsLetters(name, text) ? 4 : kNoMatch;
+}
+
+/// So that the names of commands without one stand under the others.
+QIcon emptyIcon(const QSize& size) {
+    QPixmap picture(size);
+    picture.fill(Qt::transparent);
+    return picture;
 }
 
 }  // namespace
@@ -38,6 +52,8 @@ CommandSearch::CommandSearch(const Actions& actions, QWidget* parent) : QFrame(p
     line_->installEventFilter(this);
     list_ = new QListWidget(this);
     list_->setFocusPolicy(Qt::NoFocus);
+    const int side = fontMetrics().height() + 2;
+    list_->setIconSize({side, side});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(line_);
@@ -61,15 +77,13 @@ void CommandSearch::filter(const QString& text) {
     list_->clear();
     std::vector<QAction*> found;
     for (QAction* action : actions_.all())
-        if (action->isEnabled() && matches(Actions::plainText(action) + ' ' + Actions::groupOf(action) + ' ' + action->statusTip(), text))
-            found.push_back(action);
-    std::stable_sort(found.begin(), found.end(), [&](const QAction* a, const QAction* b) {
-        return rankOf(Actions::plainText(a), text) < rankOf(Actions::plainText(b), text);
-    });
+        if (action->isEnabled() && rankOf(action, text) != kNoMatch) found.push_back(action);
+    std::stable_sort(found.begin(), found.end(), [&](const QAction* a, const QAction* b) { return rankOf(a, text) < rankOf(b, text); });
+    const QIcon none = emptyIcon(list_->iconSize());
     for (QAction* action : found) {
         const QString name = Actions::plainText(action);
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-        auto* item = new QListWidgetItem(action->icon(), keys.isEmpty() ? name : QStringLiteral("%1   (%2)").arg(name, keys), list_);
+        auto* item = new QListWidgetItem(action->icon().isNull() ? none : action->icon(), keys.isEmpty() ? name : QStringLiteral("%1   (%2)").arg(name, keys), list_);
         item->setToolTip(action->statusTip());
         item->setData(Qt::UserRole, QVariant::fromValue(action));
     }

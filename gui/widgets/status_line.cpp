@@ -1,5 +1,6 @@
 #include "gui/widgets/status_line.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QHBoxLayout>
@@ -27,7 +28,12 @@ QString stateText(const SessionFrame& frame) {
     return frame.spp == 0 ? StatusLine::tr("preview") : QString();
 }
 
-QString errorText(double share) { return StatusLine::tr("± %1 %").arg(100 * share, 0, 'g', 2); }
+/// "± 0.84 %", "± 110 %": two digits that count.
+QString errorText(double share) {
+    const double percent = 100 * share;
+    const int decimals = percent > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(percent))), 0, 6) : 0;
+    return StatusLine::tr("± %1 %").arg(percent, 0, 'f', decimals);
+}
 
 /// "41 s, 1 % in 12 s": the time so far, and what is still to come.
 QString timeText(const SessionFrame& frame) {

@@ -232,7 +232,9 @@ class Compiler {
 
     void addLights() {
         scene_.lights.forEach([&](LightId id, const Light& light) {
+            const std::size_t first = out_->lights.lights.size();
             if (light.visible) std::visit([&](const auto& value) { addLight(value, groups_.of(id)); }, light.value);
+            for (std::size_t i = first; i < out_->lights.lights.size(); ++i) out_->lights.lights[i].id = id;
         });
     }
     void addLight(const PointLight& light, std::uint8_t group) {

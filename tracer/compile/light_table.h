@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "tracer/scene/ids.h"
 #include "tracer/color/rgb.h"
 #include "tracer/compile/shape_lists.h"
 #include "tracer/lights/environment_map.h"
@@ -25,6 +26,7 @@ struct CompiledLight {
     bool twoSided = false;      ///< Area
     double power = 0;           ///< for choosing among lights; W up to a common factor
     std::uint8_t group = 0;     ///< whose sum its light goes to, see scene/light_groups.h
+    LightId id;                 ///< of the scene's entry, if it is one
 
     /// Sun: the unit vector `towards` meets the disc.
     [[nodiscard]] bool discHolds(const DVec3& towards) const {

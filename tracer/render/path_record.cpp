@@ -35,12 +35,13 @@ void PathRecord::arrive(int vertex, const RenderScene& scene, const SurfacePoint
     v.throughput = throughput;
 }
 
-void PathRecord::add(int vertex, const RenderScene& scene, PathLight::Kind kind, std::uint32_t light, const Rgb& visible, const Rgb& value) {
-    PathLight out{kind, LightKind::Environment, {}, visible, value};
+void PathRecord::add(int vertex, const RenderScene& scene, PathLight::Kind kind, std::uint32_t light, const Rgb& visible, const Rgb& adds) {
+    PathLight out{.kind = kind, .source = LightKind::Environment, .visible = visible, .value = adds};
     if (light < scene.lights.lights.size()) {
         const CompiledLight& source = scene.lights.lights[light];
         out.source = source.kind;
         if (source.shape != kNoShape) out.object = scene.shapes[source.shape].object;
+        out.light = source.id;
     }
     vertices[static_cast<std::size_t>(vertex)].lights.push_back(out);
 }
@@ -97,6 +98,7 @@ std::string eventName(PathEvent event) {
 
 std::string sourceName(const PathLight& light, const Scene& document) {
     if (light.object != ObjectId{}) return nameOf(document, light.object);
+    if (const Light* entry = document.lights.find(light.light); entry && !entry->name.empty()) return entry->name;
     switch (light.source) {
         case LightKind::Point: return "point light";
         case LightKind::Spot: return "spot light";

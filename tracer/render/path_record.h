@@ -25,6 +25,7 @@ struct PathLight {
     Kind kind = Kind::Direct;
     LightKind source = LightKind::Point;
     ObjectId object;        ///< the shape that shines, if one does
+    LightId light;          ///< else the scene's light, if it is one
     Rgb visible{1.0f};      ///< Direct: share that the way to the light lets through
     Rgb value{0.0f};        ///< contribution to the sample: radiance times all factors back to the camera
 };
@@ -55,7 +56,7 @@ struct PathRecord {
     [[nodiscard]] int leave(int parent, PathEvent event, const Rgb& weight, double chance);
     void travel(int vertex, double length, const Medium& medium);
     void arrive(int vertex, const RenderScene& scene, const SurfacePoint& point, const Rgb& throughput);
-    void add(int vertex, const RenderScene& scene, PathLight::Kind kind, std::uint32_t light, const Rgb& visible, const Rgb& value);
+    void add(int vertex, const RenderScene& scene, PathLight::Kind kind, std::uint32_t light, const Rgb& visible, const Rgb& adds);
 };
 
 /// Renders a sample once more and records it. `value` has the bits of renderSample(); the contributions add up to it but for
