@@ -4,11 +4,10 @@
 
 #include "tests/support/paths.h"
 #include "tests/support/scenes.h"
+#include "tests/support/strategies.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/ztest.h"
 #include "tracer/io/scene_json.h"
-#include "tracer/render/kernel.h"
-#include "tracer/render/path.h"
 
 namespace glint {
 namespace {
@@ -59,49 +58,20 @@ TEST(ClassicAndPath, AgreeOnDirectLightAtDepthOne) {
     expectAgreement(b);
 }
 
-// A15: other ways to share a light's contribution between the two ways to it.
-struct LightOnly {
+using test::BsdfOnly;
+using test::estimateOf;
+using test::LightOnly;
+using test::pixelMeans;
+
+/// Counts light twice where both ways lead to it: the wrong twin that the comparison must notice.
+struct BothWhole {
     static double lightWeight(double, double) { return 1; }
-    static double bsdfWeight(double, double light) { return light > 0 ? 0 : 1; }
-};
-struct BsdfOnly {
-    static double lightWeight(double, double bsdf) { return bsdf > 0 ? 0 : 1; }
     static double bsdfWeight(double, double) { return 1; }
 };
 struct PowerHeuristic {
     static double lightWeight(double light, double bsdf) { return light * light / (light * light + bsdf * bsdf); }
     static double bsdfWeight(double bsdf, double light) { return bsdf * bsdf / (light * light + bsdf * bsdf); }
 };
-/// Counts light twice where both ways lead to it: the wrong twin that the comparison must notice.
-struct BothWhole {
-    static double lightWeight(double, double) { return 1; }
-    static double bsdfWeight(double, double) { return 1; }
-};
-
-/// Every pixel's mean by another tracer; pixel by pixel the same random numbers for all.
-template <class Heuristic, class Effort = UsualEffort>
-std::vector<double> pixelMeans(const std::shared_ptr<const RenderScene>& scene, int samples) {
-    KernelState state{*scene, {}, {}, false};
-    const int width = scene->film.width, pixels = width * scene->film.height;
-    std::vector<double> means;
-    for (int i = 0; i < pixels; ++i) {
-        double sum = 0;
-        for (int s = 0; s < samples; ++s) {
-            const Sampler sampler = samplerFor(*scene, i % width, i / width, static_cast<std::uint32_t>(s));
-            PathTracer<kAllFeatures, Heuristic, Effort> tracer(state, sampler);
-            sum += tracer.radiance(cameraRay<kAllFeatures>(*scene, sampler, i % width, i / width, state.work)).x;
-        }
-        means.push_back(sum / samples);
-    }
-    return means;
-}
-
-/// Mean of numbers that share one expected value, and its standard error.
-test::Estimate estimateOf(const std::vector<double>& values) {
-    test::RunningMoments moments;
-    for (const double v : values) moments.add(v);
-    return {moments.mean(), std::sqrt(moments.varianceOfMean())};
-}
 
 template <class Heuristic>
 test::Estimate meanWith(const std::shared_ptr<const RenderScene>& scene) {

@@ -88,6 +88,7 @@ class Compiler {
         addLights();
         addEnvironment();
         out_->lights.finish();
+        out_->casters = makeCasters(out_->shapes, out_->materials, out_->lights);
         ++compiled_.stats.lightTablesBuilt;
         out_->film = scene_.film;
         out_->settings = scene_.render;

@@ -14,16 +14,8 @@ double solidAngleScale(const ShapeInstance& shape, const DVec3& wi) {
     return std::abs(glm::determinant(shape.localFromWorld)) / (length * length * length);
 }
 
-/// Of a shape that is a ball in render space; 0 for any other. A dielectric's boundary is met by the media's rules.
-double ballRadius(const ShapeInstance& shape) {
-    if (!std::holds_alternative<CanonicalSphere>(shape.shape) || shape.dielectric) return 0;
-    const DMat3& m = shape.worldFromLocal;
-    const double r2 = glm::dot(m[0], m[0]);
-    const auto near = [r2](double x, double y) { return std::abs(x - y) <= 4e-16 * r2; };
-    const bool isBall = near(glm::dot(m[1], m[1]), r2) && near(glm::dot(m[2], m[2]), r2) && near(glm::dot(m[0], m[1]), 0) &&
-                        near(glm::dot(m[0], m[2]), 0) && near(glm::dot(m[1], m[2]), 0);
-    return isBall ? std::sqrt(r2) : 0;
-}
+/// Of a lamp that is a ball. A dielectric's boundary is met by the media's rules.
+double lampRadius(const ShapeInstance& shape) { return shape.dielectric ? 0 : ballRadius(shape); }
 
 /// A ray that starts on the ball meets it again only on its way through. The density is that of sphereDirectionPdf() at the same
 /// place, whichever side of the surface rounding has put it on.
@@ -94,6 +86,16 @@ LightSample samplePoint(const CompiledLight& light, const DVec3& from) {
 
 }  // namespace
 
+double ballRadius(const ShapeInstance& shape) {
+    if (!std::holds_alternative<CanonicalSphere>(shape.shape)) return 0;
+    const DMat3& m = shape.worldFromLocal;
+    const double r2 = glm::dot(m[0], m[0]);
+    const auto near = [r2](double x, double y) { return std::abs(x - y) <= 4e-16 * r2; };
+    const bool isBall = near(glm::dot(m[1], m[1]), r2) && near(glm::dot(m[2], m[2]), r2) && near(glm::dot(m[0], m[1]), 0) &&
+                        near(glm::dot(m[0], m[2]), 0) && near(glm::dot(m[1], m[2]), 0);
+    return isBall ? std::sqrt(r2) : 0;
+}
+
 void LightTable::finish() {
     double total = 0;
     for (const CompiledLight& light : lights) total += light.power;
@@ -126,7 +128,7 @@ LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstanc
         }
         case LightKind::Area: {
             const ShapeInstance& shape = shapes[light.shape];
-            if (const double radius = ballRadius(shape); radius > 0) return sampleBall(light, shape, radius, from, u);
+            if (const double radius = lampRadius(shape); radius > 0) return sampleBall(light, shape, radius, from, u);
             if (isRectangle(shape)) return sampleRectangle(light, shape, from, u);
             return sampleArea(light, shape, from, media, u);
         }
@@ -151,7 +153,7 @@ double lightPdf(const LightTable& lights, const std::vector<ShapeInstance>& shap
         case LightKind::Area: break;
     }
     const ShapeInstance& shape = shapes[light.shape];
-    if (const double radius = ballRadius(shape); radius > 0) return sphereDirectionPdf(shape.center - from, radius);
+    if (const double radius = lampRadius(shape); radius > 0) return sphereDirectionPdf(shape.center - from, radius);
     if (isRectangle(shape)) return QuadLight(shape, from).pdf(wi);
     const double local = std::visit(
         [&](const auto& canonical) {

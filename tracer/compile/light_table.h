@@ -86,6 +86,9 @@ struct LightTable {
     }
 };
 
+/// Radius of a shape that is a ball in render space; 0 for any other.
+[[nodiscard]] double ballRadius(const ShapeInstance& shape);
+
 /// Light from `lights.lights[index]` at the start of `from` (its direction is not used); the media are the ones `from` is in.
 [[nodiscard]] LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index,
                                       const Ray& from, const MediaStack& media, const DVec2& u);

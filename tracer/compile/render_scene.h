@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tracer/compile/camera_model.h"
+#include "tracer/compile/casters.h"
 #include "tracer/compile/light_table.h"
 #include "tracer/compile/shape_lists.h"
 #include "tracer/materials/builder.h"
@@ -64,6 +65,7 @@ struct RenderScene {
     ShapeLists lists;
     std::vector<CompiledMaterial> materials;
     LightTable lights;
+    CasterTable casters;
     CameraModel camera;
     MediaStack cameraMedia;  ///< the dielectrics around the camera
     FilmSettings film;

@@ -155,15 +155,23 @@ void EnvironmentMap::computeMean() {
         rowWeights[static_cast<std::size_t>(band.lower)] += w.lower;
     }
     DVec3 sum(0.0);
+    double squares = 0;
     for (int y = 0; y < height; ++y) {
         DVec3 row(0.0);
+        double rowSquares = 0;
         for (int x = 0; x < image_->width; ++x) {
             const Rgb c = texel(x, y);
-            if (isFinite(c)) row += toDouble(c);
+            if (!isFinite(c)) continue;
+            row += toDouble(c);
+            const double l = luminance(c);
+            rowSquares += l * l;
         }
         sum += row * rowWeights[static_cast<std::size_t>(y)];
+        squares += rowSquares * rowWeights[static_cast<std::size_t>(y)];
     }
     mean_ = toFloat(sum / (2.0 * image_->width));
+    const double mean = luminance(mean_), meanSquare = squares / (2.0 * image_->width);
+    if (mean > 0 && meanSquare > 0) brightSolidAngle_ = 4 * kPi * std::min(1.0, mean * mean / meanSquare);
 }
 
 void EnvironmentMap::buildBlocks(int y) {

@@ -60,6 +60,9 @@ class EnvironmentMap {
     [[nodiscard]] const std::shared_ptr<const Image>& image() const { return image_; }
     /// Mean radiance over the sphere of directions.
     [[nodiscard]] Rgb meanRadiance() const { return mean_; }
+    /// The solid angle [sr] that most of the light comes from: (integral of L)^2 / integral of L^2, L the luminance; 4 pi where it
+    /// is the same from everywhere, and where there is none.
+    [[nodiscard]] double brightSolidAngle() const { return brightSolidAngle_; }
 
   private:
     /// A place among four texels: columns x0, x1 and rows y0, y1, with the fractions of the way to
@@ -93,6 +96,7 @@ class EnvironmentMap {
 
     std::shared_ptr<const Image> image_;
     Rgb mean_{0.0f};
+    double brightSolidAngle_ = 4 * kPi;
     double threshold_ = 0;  ///< luminance from which the density counts
     /// height x (blocks_ + 1): integral of a texel row's weights, linear between centres, from
     /// column 0's centre to the start of each block of columns, in texels. In double: one texel of

@@ -29,7 +29,8 @@ struct EditPlan {
 /// Kind::Retrace.
 [[nodiscard]] Scene withLightsOf(const Scene& traced, Scene next);
 
-/// The two differ at most in values that samples record their use of: the same shapes are dielectric and let shadow rays pass.
+/// The two differ at most in values that samples record their use of: the same shapes are dielectric, let
+/// shadow rays pass and throw caustics.
 /// Asked after compiling for Kind::Retrace; else a restart is needed.
 [[nodiscard]] bool sameStructure(const RenderScene& before, const RenderScene& after);
 

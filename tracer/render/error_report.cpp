@@ -20,7 +20,7 @@ struct PowerHeuristic {
     static double lightWeight(double light, double bsdf) { return light * light / (light * light + bsdf * bsdf); }
     static double bsdfWeight(double bsdf, double light) { return lightWeight(bsdf, light); }
 };
-struct PlainEffort {
+struct PlainEffort : UsualEffort {
     static constexpr bool kSplits = false;
     static constexpr float kDim = 0.05f;
 };

@@ -3,6 +3,7 @@
 // Start reading at radiance(). Instantiated in kernels.cpp for sets of features; what a set lacks is not compiled.
 #pragma once
 
+#include "tracer/render/connections.h"
 #include "tracer/render/layers.h"
 #include "tracer/render/path_record.h"
 #include "tracer/render/shadow.h"
@@ -19,10 +20,13 @@ struct BalanceHeuristic {
 /// How much a path may cost: changes noise and time, never the mean. Tests put others in its place.
 struct UsualEffort {
     static constexpr bool kSplits = true;  ///< both ways are followed at the first smooth dielectric, not one by chance
+    static constexpr bool kConnects = true;  ///< light is also looked for by way of perfect balls, see connections.h
     static constexpr float kDim = 0.25f;   ///< a path that carries less than this is left to Russian roulette
 };
 
-template <Features F, class Heuristic = BalanceHeuristic, class Effort = UsualEffort>
+using UsualHeuristic = BalanceHeuristic;
+
+template <Features F, class Heuristic = UsualHeuristic, class Effort = UsualEffort>
 class PathTracer {
   public:
     PathTracer(KernelState& state, const Sampler& sampler) : state_(state), scene_(state.scene), sampler_(sampler) {}
@@ -52,6 +56,7 @@ class PathTracer {
         Rgb throughput{1.0f};
         DVec3 from{0.0};          ///< last vertex at which the direction was drawn from a density ...
         double pdf = 0;           ///< ... and that density; 0 after a delta event or at the camera: no other way leads there
+        ChainProgress chain;      ///< on the way from `from` over a perfect ball
         MediaStack passedLights;  ///< emissive surfaces passed straight since `from`: next-event estimation knows their nearest face only
         float etaScale = 1;       ///< undoes the eta^2 of refractions for the roulette
         int depth = 0;            ///< surface interactions so far
@@ -66,6 +71,7 @@ class PathTracer {
     };
 
     static constexpr bool kSamplesLights = has(F, Feature::DeltaLights) || has(F, Feature::AreaLights) || has(F, Feature::SampledSky);
+    static constexpr bool kConnects = Effort::kConnects && has(F, Feature::Smooth) && has(F, Feature::Delta) && kSamplesLights;
     static constexpr bool kLightsMayBePassed = has(F, Feature::Straight) && has(F, Feature::AreaLights);
     /// Up to this many lights, each is sampled at the first vertex with a smooth part.
     static constexpr std::size_t kAllLights = 4;
@@ -90,6 +96,7 @@ class PathTracer {
                     path.ray = {point.position, path.ray.direction, point.shape, point.outside};
                     path.media.cross(point.shape);
                     path.pdf = 0;
+                    path.chain = {};
                     continue;
                 }
             }
@@ -112,7 +119,13 @@ class PathTracer {
         const double chosen = path.allLights ? 1.0 : scene_.lights.pickProbability(light);
         return static_cast<float>(Heuristic::bsdfWeight(path.pdf, chosen * lightDensity()));
     }
-    [[nodiscard]] float foundWeight(const Path& path, std::uint32_t light) const {
+    /// The same for light that a connection over a perfect ball would reach at `y`, or in that direction.
+    [[nodiscard]] float foundWeight(const Path& path, std::uint32_t light, const DVec3& y, const DVec3& normal) const {
+        if constexpr (kConnects)
+            if (const ChainProgress& chain = path.chain; chain.state == ChainProgress::State::Complete) {
+                const double pdf = connectionPdf(scene_, chain, light, path.from, y, path.ray.direction, normal);
+                return pdf > 0 ? static_cast<float>(Heuristic::bsdfWeight(chain.pdf, pdf)) : 1;
+            }
         return foundWeight(path, light, [&] { return lightPdf(scene_.lights, scene_.shapes, light, path.from, path.ray.direction); });
     }
 
@@ -126,7 +139,7 @@ class PathTracer {
             if constexpr (has(F, Feature::SampledSky))
                 for (const std::uint32_t sun : scene_.lights.sunDiscs)
                     if (const CompiledLight& light = scene_.lights.lights[sun]; light.discHolds(path.ray.direction))
-                        add(path, LightLayer::Environment, light.group, path.throughput * light.emission * foundWeight(path, sun));
+                        add(path, LightLayer::Environment, light.group, path.throughput * light.emission * foundWeight(path, sun, path.ray.direction, DVec3(0.0)));
         }
     }
 
@@ -134,7 +147,9 @@ class PathTracer {
         if (!environment.map) return Rgb(1.0f);
         ++state_.work[Work::MapLookups];
         const EnvironmentLookup seen = environment.map->evaluate(environment.mapFromWorld(path.ray.direction));
-        return seen.radiance * foundWeight(path, scene_.lights.environmentLight, [&] { return seen.pdf; });
+        const std::uint32_t light = scene_.lights.environmentLight;
+        if (path.pdf == 0) return seen.radiance * foundWeight(path, light, path.ray.direction, DVec3(0.0));
+        return seen.radiance * foundWeight(path, light, [&] { return seen.pdf; });
     }
 
     void addEmission(const Path& path, const SurfacePoint& point) {
@@ -144,7 +159,7 @@ class PathTracer {
         if (light == ~0u) return;
         const CompiledLight& emitter = scene_.lights.lights[light];
         if (point.outside || emitter.twoSided)
-            add(path, LightLayer::Emission, emitter.group, path.throughput * emitter.emission * foundWeight(path, light));
+            add(path, LightLayer::Emission, emitter.group, path.throughput * emitter.emission * foundWeight(path, light, point.position, point.frame.n));
     }
 
     /// Tells the record, if one is kept (layers only).
@@ -182,8 +197,10 @@ class PathTracer {
 
         if constexpr (has(F, Feature::Smooth) && kSamplesLights)
             if ((smoothChance > 0 || has(F, Feature::NoSkips)) && !scene_.lights.empty()) addDirect(path, point, material, smoothChance);
+        if constexpr (kConnects)
+            if (smoothChance > 0 && !scene_.casters.empty()) addConnections(path, point, material, smoothChance);
         if constexpr (has(F, Feature::Delta)) {
-            if (Effort::kSplits && path.maySplit && smoothChance == 0 && branches.count == 2) return takeBoth(path, point, branches);
+            if (Effort::kSplits && path.maySplit && branches.splits(material)) return takeBoth(path, point, branches);
         }
         const SampleBlock u = sampler_.block(sampleBlock(SampleUse::Bsdf, path.depth, path.branch));
         const float choice = u.w * total;
@@ -193,6 +210,7 @@ class PathTracer {
                 const BsdfSample s = sampleSmooth<F>(material, point.wo, {u.x, u.y, u.z}, leafChoice, point.eta, state_.work);
                 if (!(s.pdf > 0)) return false;
                 record([&](PathRecord& r) { path.vertex = r.leave(path.vertex, PathEvent::Smooth, s.f * (std::abs(s.wi.z) / s.pdf), static_cast<double>(smoothChance)); });
+                const float drive = connectionDrive(path.throughput, material);
                 path.throughput *= s.f * (std::abs(s.wi.z) / (s.pdf * smoothChance));
                 path.pdf = static_cast<double>(s.pdf) * smoothChance;
                 path.from = point.position;
@@ -202,6 +220,7 @@ class PathTracer {
                 if constexpr (has(F, Feature::Layers))
                     if (path.bounces == 0) path.shares = smoothShares(material, point.wo, s.wi, point.eta);
                 leave(path, point, s.wi, false);
+                if constexpr (kConnects) path.chain = ChainProgress::start(scene_, point.shape, path.media, path.pdf, drive);
             } else {
                 return false;
             }
@@ -209,7 +228,7 @@ class PathTracer {
             const DeltaBranch& branch = branches.pick(choice - material.smoothAlbedo);
             recordBranch(path, point, branch, static_cast<double>(Branches::size(branch) / total));
             path.throughput *= branch.weight * (total / Branches::size(branch));
-            takeBranch(path, point, branch);
+            takeBranch(path, point, branch, branches.chanceOf(material, point.wo, sameSide(point.wo, branch.wi)));
         }
         return survives(path);
     }
@@ -221,15 +240,17 @@ class PathTracer {
         split_.branch = 1;
         split_.throughput *= branches.at[1].weight;
         recordBranch(split_, point, branches.at[1], 1);
-        takeBranch(split_, point, branches.at[1]);
+        takeBranch(split_, point, branches.at[1], 1);
         splitPending_ = survives(split_);
         path.throughput *= branches.at[0].weight;
         recordBranch(path, point, branches.at[0], 1);
-        takeBranch(path, point, branches.at[0]);
+        takeBranch(path, point, branches.at[0], 1);
         return survives(path);
     }
 
-    void takeBranch(Path& path, const SurfacePoint& point, const DeltaBranch& branch) {
+    /// `chance`: of this direction among all that the path could have taken.
+    void takeBranch(Path& path, const SurfacePoint& point, const DeltaBranch& branch, double chance) {
+        if constexpr (kConnects) path.chain.advance(scene_, point, branch, chance, path.from, path.ray.direction);
         if constexpr (has(F, Feature::Layers))
             if (path.bounces == 0) path.shares = sharesOf(sameSide(point.wo, branch.wi) ? Lobe::Glossy : Lobe::Transmission);
         if (branch.straight) {
@@ -320,6 +341,19 @@ class PathTracer {
         record([&](PathRecord& r) { r.add(path.vertex, scene_, PathLight::Kind::Direct, light, share, value); });
         if constexpr (has(F, Feature::Layers))
             state_.layers->add(path.bounces == 0 ? smoothShares(material, point.wo, wi, point.eta) : path.shares, path.bounces == 0, value);
+    }
+
+    [[gnu::noinline]] void addConnections(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance) {
+        const ConnectionVertex vertex{point, material, path.media, path.throughput, smoothChance, path.depth, path.branch, Effort::kSplits && path.maySplit};
+        const auto weight = [](double light, double bsdf) { return Heuristic::lightWeight(light, bsdf); };
+        const auto take = [&](const Connection& found) {
+            sum_ += found.value;
+            state_.addToGroup(scene_.lights.lights[found.light].group, found.value);
+            record([&](PathRecord& r) { r.add(path.vertex, scene_, PathLight::Kind::Direct, found.light, Rgb(1.0f), found.value); });
+            if constexpr (has(F, Feature::Layers))
+                state_.layers->add(path.bounces == 0 ? smoothShares(material, point.wo, found.wi, point.eta) : path.shares, false, found.value);
+        };
+        Connections<F, decltype(weight), decltype(take)>(state_, sampler_, vertex, weight, take).run();
     }
 
     KernelState& state_;

@@ -22,6 +22,22 @@ struct Branches {
         at[static_cast<std::size_t>(count++)] = branch;
         total += size(branch);
     }
+    /// Both of two ways can be followed, and there is no other.
+    [[nodiscard]] bool splits(const CompiledMaterial& material) const { return count == 2 && material.smoothAlbedo == 0; }
+    /// Chance of a path that chooses among all ways, smooth ones too, to be reflected or, if not `reflects`, to go through bent.
+    [[nodiscard]] double chanceOf(const CompiledMaterial& material, const Vec3& wo, bool reflects) const {
+        float sum = 0;
+        for (int i = 0; i < count; ++i)
+            if (const DeltaBranch& b = at[static_cast<std::size_t>(i)]; !b.straight && sameSide(wo, b.wi) == reflects) sum += size(b);
+        return static_cast<double>(sum / (material.smoothAlbedo + total));
+    }
+    /// Factor of these ways together.
+    [[nodiscard]] Rgb weightOf(const Vec3& wo, bool reflects) const {
+        Rgb sum(0.0f);
+        for (int i = 0; i < count; ++i)
+            if (const DeltaBranch& b = at[static_cast<std::size_t>(i)]; !b.straight && sameSide(wo, b.wi) == reflects) sum += b.weight;
+        return sum;
+    }
     /// The branch at `u` in [0, total), drawn with probability size / total.
     [[nodiscard]] const DeltaBranch& pick(float u) const {
         std::size_t i = 0;

@@ -65,6 +65,8 @@ constexpr Skip kSkips[] = {
     {"one bounce: no roulette", Work::Roulettes,
      [](const RenderScene& s) { return s.settings.maxDepth <= 1; }},
     {"pinhole: no lens samples", Work::LensSamples, lacks<Feature::Lens>},
+    {"no perfect balls under small lights: no connections", Work::Connections,
+     [](const RenderScene& s) { return s.casters.empty() || s.settings.integrator != Integrator::Path; }},
 };
 
 }  // namespace
