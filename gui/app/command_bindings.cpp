@@ -3,12 +3,15 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QCoreApplication>
+#include <QMessageBox>
 #include <QShortcut>
 #include <QUndoStack>
 
 #include "gui/app/actions.h"
+#include "gui/app/command_search.h"
 #include "gui/app/edit_controller.h"
 #include "gui/app/selection.h"
+#include "gui/app/shortcut_sheet.h"
 #include "gui/panels/object_list.h"
 #include "gui/viewport/render_view.h"
 #include "gui/viewport/view_commands.h"
@@ -94,6 +97,19 @@ void bindTools(Actions& actions, RenderView& picture) {
         ToolOptions options = picture.tools();
         options.snap = on;
         picture.setTools(options);
+    });
+}
+
+void bindHelp(Actions& actions, CommandSearch& search, QWidget& window) {
+    actions.on("help.shortcuts", &window, [&] { (new ShortcutSheet(actions, &window))->show(); });
+    actions.on("help.search", &search, &CommandSearch::open);
+    actions.on("help.about", &window, [&window] {
+        auto* box = new QMessageBox(QMessageBox::Information, Text::tr("About Glint"),
+                                    Text::tr("Glint %1\nA scene editor whose viewport is a ray tracer.\nMIT licence.").arg(GLINT_VERSION),
+                                    QMessageBox::Ok, &window);
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->setModal(false);
+        box->show();
     });
 }
 

@@ -7,6 +7,7 @@ class QWidget;
 namespace glint {
 
 class Actions;
+class CommandSearch;
 class EditController;
 class ObjectList;
 class RenderView;
@@ -19,6 +20,8 @@ void bindEditCommands(Actions& actions, EditController& edits, QUndoStack& stack
 void bindViewCommands(Actions& actions, ViewCommands& views, EditController& edits, RenderView& picture);
 /// The tools of the view, of which one is chosen, and snapping.
 void bindTools(Actions& actions, RenderView& picture);
+/// The sheet of shortcuts, the search for commands, and what this program is.
+void bindHelp(Actions& actions, CommandSearch& search, QWidget& window);
 /// Ctrl+1 to 9 go to a saved view, with Shift they store it; for as long as `window` lives.
 void bindSavedViews(QWidget& window, ViewCommands& views);
 

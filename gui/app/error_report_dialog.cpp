@@ -69,6 +69,7 @@ void ErrorReportDialog::build() {
     column->addWidget(plot_, 1);
     table_ = new QTableWidget(0, 6, this);
     table_->setObjectName("errorReport.table");
+    table_->setAccessibleName(windowTitle());
     table_->setHorizontalHeaderLabels({tr("Samples"), tr("Time"), tr("relMSE"), tr("Mean error %"), tr("99th percentile %"), tr("Outliers %")});
     table_->verticalHeader()->hide();
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

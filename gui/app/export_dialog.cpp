@@ -92,6 +92,7 @@ DragNumber* ExportDialog::makeNumber(const QString& name, const QString& label, 
 void ExportDialog::buildFile(QFormLayout* form) {
     path_ = new QLineEdit(this);
     path_->setObjectName("export.path");
+    path_->setAccessibleName(tr("File"));
     path_->setMinimumWidth(fontMetrics().averageCharWidth() * 44);
     const auto stem = document_.file().empty() ? std::filesystem::path("picture") : document_.file().stem().stem();
     path_->setText(pathText(document_.assetFolder() / (stem.string() + ".png")));

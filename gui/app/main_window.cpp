@@ -6,7 +6,6 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QListView>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
@@ -28,13 +27,13 @@
 #include "gui/app/main_menus.h"
 #include "gui/app/material_previews.h"
 #include "gui/app/message_log.h"
+#include "gui/app/missing_assets.h"
 #include "gui/app/picture_controls.h"
 #include "gui/app/preferences_dialog.h"
 #include "gui/app/preview_renderer.h"
 #include "gui/app/renderer.h"
 #include "gui/app/resources.h"
 #include "gui/app/scene_thumbnails.h"
-#include "gui/app/shortcut_sheet.h"
 #include "gui/app/text.h"
 #include "gui/app/theme.h"
 #include "gui/app/tool_bar.h"
@@ -112,6 +111,8 @@ void MainWindow::buildInterface() {
     bindEditCommands(*actions_, *edits_, document_.undoStack(), selection_, *objects_);
     bindViewCommands(*actions_, *viewCommands_, *edits_, *view_);
     bindTools(*actions_, *view_);
+    bindHelp(*actions_, *search_, *this);
+    new MissingAssets(document_, *renderer_, *environment_, *messages_, actions_);
     new PictureControls(*actions_, *renderer_, *view_, document_, selection_, actions_);
     connectState();
     updateTitle();
@@ -171,6 +172,7 @@ void MainWindow::buildDocks() {
     connect(materials_, &MaterialPanel::refused, messages_, [this](const QString& reason) { messages_->show(MessageBar::Level::Warning, reason); });
     auto* history = new QUndoView(&document_.undoStack(), this);
     history->setEmptyLabel(tr("As opened"));
+    history->setAccessibleName(tr("History"));
     QDockWidget* objects = addDock("objects", tr("Objects"), objects_, Qt::LeftDockWidgetArea);
     QDockWidget* materials = addDock("materials", tr("Materials"), materials_, Qt::LeftDockWidgetArea);
     QDockWidget* environment = addDock("environment", tr("Environment"), environment_, Qt::LeftDockWidgetArea);
@@ -220,15 +222,6 @@ void MainWindow::connectFileActions() {
     actions_->on("render.errorReport", this, [this] { (new ErrorReportDialog(document_, this))->show(); });
     actions_->on("file.quit", this, &QWidget::close);
     actions_->on("render.pause", renderer_, [this](bool paused) { renderer_->setPaused(paused); });
-    actions_->on("help.shortcuts", this, [this] { (new ShortcutSheet(*actions_, this))->show(); });
-    actions_->on("help.search", search_, &CommandSearch::open);
-    actions_->on("help.about", this, [this] {
-        auto* box = new QMessageBox(QMessageBox::Information, tr("About Glint"),
-                                    tr("Glint %1\nA scene editor whose viewport is a ray tracer.\nMIT licence.").arg(GLINT_VERSION), QMessageBox::Ok, this);
-        box->setAttribute(Qt::WA_DeleteOnClose);
-        box->setModal(false);
-        box->show();
-    });
     actions_->on("edit.preferences", this, &MainWindow::openPreferences);
     (*actions_)["window.light"]->setChecked(preferences_.values().theme == Theme::Light);
     actions_->on("window.light", this, [this](bool light) {

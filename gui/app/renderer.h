@@ -36,7 +36,7 @@ class Renderer : public QObject {
     /// Renders on at most so many threads from now on, 0 for one a processor. Nothing starts again.
     void setThreads(int threads);
     /// Draws the same scene again, from files that may have changed.
-    void reload() { publishScene(); }
+    void reload() { session_->readFilesAgain(); }
     void setChannel(Channel channel);
     void setFiltered(bool filtered);
     /// Only this part of the picture gets samples; nothing: all of it.

@@ -21,14 +21,15 @@ class EnvironmentPicker : public QWidget {
 
     /// Makes a picture file the environment.
     void choose(const std::filesystem::path& image);
+    void chooseNone();
+    /// Asks for a picture file.
+    void browse();
     [[nodiscard]] QListWidget* thumbnails() const { return thumbnails_; }
 
   private:
     void buildThumbnails();
     void addThumbnail(const std::filesystem::path& image);
-    void chooseNone();
     void chooseSky();
-    void browse();
     void showCurrent();
     [[nodiscard]] QListWidgetItem* itemFor(const std::filesystem::path& image) const;
 

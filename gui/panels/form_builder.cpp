@@ -69,6 +69,7 @@ void FormBuilder::placeRow(Section* section, const QString& label, const FieldMe
     title->setFixedWidth(title->fontMetrics().averageCharWidth() * 22);
     title->setToolTip(explanation(meta));
     editor.widget->setToolTip(explanation(meta));
+    if (auto* check = editor.widget->findChild<QCheckBox*>(QString(), Qt::FindDirectChildrenOnly)) check->setAccessibleName(label);
 
     auto* box = new QWidget(section);
     auto* row = new QHBoxLayout(box);

@@ -33,6 +33,7 @@ PixelInspector::PixelInspector(Document& document, Renderer& renderer, Selection
     title_->setWordWrap(true);
     sample_ = new QSpinBox(this);
     sample_->setPrefix(tr("Sample "));
+    sample_->setAccessibleName(tr("Sample"));
     sample_->setMaximum(1 << 24);
     sample_->setToolTip(tr("Which of the pixel's samples is explained"));
     sample_->setEnabled(false);

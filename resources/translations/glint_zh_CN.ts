@@ -19,6 +19,18 @@
         <source>&amp;Redo</source>
         <translation>重做(&amp;R)</translation>
     </message>
+    <message>
+        <source>About Glint</source>
+        <translation>关于 Glint</translation>
+    </message>
+    <message>
+        <source>Glint %1
+A scene editor whose viewport is a ray tracer.
+MIT licence.</source>
+        <translation>Glint %1
+以光线追踪为视图的场景编辑器。
+MIT 许可证。</translation>
+    </message>
 </context>
 <context>
     <name>EditGestures</name>
@@ -2641,18 +2653,6 @@ In the picture: Shift, then drag with the right button</source>
         <source>Statistics</source>
         <translation>统计</translation>
     </message>
-    <message>
-        <source>About Glint</source>
-        <translation>关于 Glint</translation>
-    </message>
-    <message>
-        <source>Glint %1
-A scene editor whose viewport is a ray tracer.
-MIT licence.</source>
-        <translation>Glint %1
-以光线追踪为视图的场景编辑器。
-MIT 许可证。</translation>
-    </message>
     <message numerus="yes">
         <source>%n selected</source>
         <translation>
@@ -2821,6 +2821,21 @@ Drag it onto an object</source>
     </message>
 </context>
 <context>
+    <name>glint::MissingAssets</name>
+    <message>
+        <source>The environment&apos;s picture %1 cannot be shown: %2</source>
+        <translation>无法显示环境图片 %1：%2</translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation>查找…</translation>
+    </message>
+    <message>
+        <source>Leave it out</source>
+        <translation>不使用</translation>
+    </message>
+</context>
+<context>
     <name>glint::ObjectList</name>
     <message>
         <source>Search</source>
@@ -2947,6 +2962,10 @@ Drag it onto an object</source>
     <message>
         <source>Pixel %1, %2: radiance %3</source>
         <translation>像素 %1, %2：辐亮度 %3</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>样本</translation>
     </message>
 </context>
 <context>

@@ -299,6 +299,26 @@ class FilesTest : public QObject {
         QTRY_VERIFY(window->document().scene().environment.image.ends_with("dropped.exr"));
         QCOMPARE(window->document().undoStack().count(), 1);
     }
+    void aMissingEnvironmentIsNamedAndCanBeLeftOut() {
+        Scene scene = smallScene();
+        scene.environment.image = "nowhere/sky.exr";
+        const auto window = openWindow(scene);
+        QTRY_VERIFY_WITH_TIMEOUT(window->messages().text().contains("nowhere/sky.exr"), kPatienceMs);
+        QPushButton* leave = nullptr;
+        for (auto* button : window->messages().findChildren<QPushButton*>())
+            if (button->text() == "Leave it out") leave = button;
+        QVERIFY(leave);
+        QTest::mouseClick(leave, Qt::LeftButton);
+        QVERIFY(window->document().scene().environment.image.empty());
+        QVERIFY(window->document().undoStack().canUndo());
+        // Told once: an edit after the message was closed does not bring it back.
+        window->document().undoStack().undo();
+        QTRY_VERIFY_WITH_TIMEOUT(window->messages().text().contains("nowhere/sky.exr"), kPatienceMs);
+        window->messages().dismiss();
+        window->document().edit(numbered(window->document().scene(), 1), "Rename");
+        QTest::qWait(300);
+        QVERIFY(!window->messages().isVisible());
+    }
 };
 
 }  // namespace glint

@@ -29,6 +29,7 @@ struct SceneMessage {
 struct Message {
     std::optional<SceneMessage> scene;
     std::optional<ViewSettings> view;
+    bool filesChanged = false;
 };
 
 /// The first pass after an edit is sized to take this long.
@@ -55,10 +56,10 @@ struct Session::Impl {
 
     // ---- Any thread ----
 
-    std::uint64_t send(std::optional<SceneMessage> sceneMessage, std::optional<ViewSettings> newView) {
+    std::uint64_t send(std::optional<SceneMessage> sceneMessage, std::optional<ViewSettings> newView, bool filesChange = false) {
         const std::uint64_t number = sceneMessage ? revision.fetch_add(1, std::memory_order_relaxed) + 1 : 0;
         if (sceneMessage) sceneMessage->revision = number;
-        inbox.push({std::move(sceneMessage), std::move(newView)});
+        inbox.push({std::move(sceneMessage), std::move(newView), filesChange});
         wakeUp();
         return number;
     }
@@ -85,6 +86,10 @@ struct Session::Impl {
     void readMessages() {
         for (Message& message : inbox.takeAll()) {
             if (message.view) readView(*message.view);
+            if (message.filesChanged) {
+                filesChanged = stale = true;
+                cache = PictureCache(kCacheBytes);
+            }
             if (!message.scene) continue;
             document = std::move(*message.scene);
             latency = {.stopped = secondsSince(document.sent)};
@@ -144,6 +149,7 @@ struct Session::Impl {
         Scene next = document.scene;
         next.film.width = view.width;
         next.film.height = view.height;
+        if (std::exchange(filesChanged, false)) return restart(std::move(next));
         EditPlan plan = planFor(picture, next, document.assetFolder);
         // With a region only its pixels follow an edit, and those outside may be of an older scene: all or nothing in it.
         const bool whole = !view.region && !restIsOld;
@@ -415,6 +421,7 @@ struct Session::Impl {
     PictureCache cache{kCacheBytes};
     std::optional<Backdrop> backdrop;
     bool stale = false;          ///< document or size are not yet those of `picture`
+    bool filesChanged = false;   ///< since `picture` was compiled
     bool undisplayed = false;    ///< view or picture changed since the last frame
     bool restIsOld = false;      ///< the pixels outside `newRect` are of an older scene
     PixelRect newRect;           ///< what the last restart cleared
@@ -442,6 +449,8 @@ void Session::publish(const ViewSettings& view) { impl_->send(std::nullopt, view
 std::uint64_t Session::publish(Scene scene, std::filesystem::path assetFolder, const ViewSettings& view) {
     return impl_->send(SceneMessage{std::move(scene), std::move(assetFolder), 0, Clock::now()}, view);
 }
+
+void Session::readFilesAgain() { impl_->send(std::nullopt, std::nullopt, true); }
 
 const SessionFrame* Session::take() { return impl_->frames.take(); }
 

@@ -79,6 +79,8 @@ class Session {
     void publish(const ViewSettings& view);
     /// Both at once: no frame shows one without the other.
     std::uint64_t publish(Scene scene, std::filesystem::path assetFolder, const ViewSettings& view);
+    /// A file that the scene names has changed: no sample holds any more.
+    void readFilesAgain();
 
     /// The newest frame if there is one that was not taken yet, else null. It belongs to the caller until the next take().
     [[nodiscard]] const SessionFrame* take();

@@ -1,0 +1,31 @@
+// MissingAssets: says in the message bar which file the scene asks for and the disk has not, and helps to find it.
+#pragma once
+
+#include <QObject>
+#include <string>
+
+namespace glint {
+
+class Document;
+class EnvironmentPicker;
+class MessageBar;
+class Renderer;
+
+class MissingAssets : public QObject {
+    Q_OBJECT
+
+  public:
+    MissingAssets(const Document& document, const Renderer& renderer, EnvironmentPicker& environment, MessageBar& messages, QObject* parent);
+
+  private:
+    /// Once for each file: a person who dismissed the message is not told again at every edit.
+    void check();
+
+    const Document& document_;
+    const Renderer& renderer_;
+    EnvironmentPicker& environment_;
+    MessageBar& messages_;
+    std::string told_;  ///< the environment's picture that was missing when last told
+};
+
+}  // namespace glint
