@@ -50,7 +50,7 @@ usage: ./glint.sh [SCENE]         build, then open the editor on SCENE (default:
        ./glint.sh render ARGS     glint-render: SCENE -o PICTURE [--spp N] ... (render --help)
        ./glint.sh test [--full]   build and run every test; --full: long forms, sanitizers, fuzzing
        ./glint.sh numbers        the full numeric tests of geometry; their counts into tests/numeric/README.md
-       ./glint.sh bench ARGS      glint-bench: measure (bench --help)
+       ./glint.sh bench ARGS      glint-bench: measure (bench --help); bench window SCENE: the editor's window
        ./glint.sh help            this text
 
 Missing packages are installed with apt (as root or by sudo). GLINT_GUI=OFF leaves out the editor and Qt.
@@ -234,6 +234,10 @@ case $command in
     numbers) run_numbers ;;
     bench)
         build_release
+        if [[ ${1:-} == window ]]; then
+            shift
+            exec "$release/glint-window-bench" "$@"
+        fi
         exec "$release/glint-bench" "$@"
         ;;
     help | -h | --help) usage ;;

@@ -70,6 +70,7 @@ constexpr ActionRow kRows[] = {
     {"view.filter", QT_TRANSLATE_NOOP("glint::Actions", "&Filtered"), "Shift+F", "filter", QT_TRANSLATE_NOOP("glint::Actions", "Show the picture denoised; samples, error and files stay as they are"), true},
     {"view.region", QT_TRANSLATE_NOOP("glint::Actions", "&Region"), "Ctrl+B", "region", QT_TRANSLATE_NOOP("glint::Actions", "Mark the only part of the picture that is rendered on; the rest stays")},
     {"view.regionClear", QT_TRANSLATE_NOOP("glint::Actions", "Whole pic&ture"), "Ctrl+Alt+B", "", QT_TRANSLATE_NOOP("glint::Actions", "Render the whole picture again")},
+    {"view.compare", QT_TRANSLATE_NOOP("glint::Actions", "Before the last &step"), "B", "", QT_TRANSLATE_NOOP("glint::Actions", "Show the picture as it was before the last step, to compare; press again to come back"), true},
     {"view.isolate", QT_TRANSLATE_NOOP("glint::Actions", "Render se&lected only"), "/", "", QT_TRANSLATE_NOOP("glint::Actions", "Show the picture with nothing but the selected objects and the lights"), true},
 
     {"render.inspect", QT_TRANSLATE_NOOP("glint::Actions", "&Inspect pixel"), "I", "search", QT_TRANSLATE_NOOP("glint::Actions", "Explain the pixel under the pointer: its paths and what light they found (Alt+click)")},

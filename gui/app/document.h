@@ -26,6 +26,8 @@ class Document : public QObject {
     /// The scene without a running preview.
     [[nodiscard]] const Scene& committed() const { return beforePreview_ ? *beforePreview_ : scene_; }
     [[nodiscard]] QUndoStack& undoStack() { return undoStack_; }
+    /// What undo would bring back; null if there is nothing to undo. Valid until the next edit.
+    [[nodiscard]] const Scene* sceneBefore() const;
     /// Empty while untitled.
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
     /// The folder that the scene's relative paths start at.

@@ -70,7 +70,7 @@ void MainMenus::buildViewMenu() {
 }
 
 void MainMenus::buildRenderMenu() {
-    QMenu* render = addMenu(tr("&Render"), {"render.pause", "-", "view.region", "view.regionClear", "view.isolate", "-", "render.inspect"});
+    QMenu* render = addMenu(tr("&Render"), {"render.pause", "-", "view.region", "view.regionClear", "view.isolate", "view.compare", "-", "render.inspect"});
     QMenu* channels = render->addMenu(tr("&Channel"));
     channels->setToolTipsVisible(true);
     for (const char* id : kChannelActions) channels->addAction(parts_.actions[id]);

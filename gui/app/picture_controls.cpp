@@ -23,6 +23,8 @@ PictureControls::PictureControls(Actions& actions, Renderer& renderer, RenderVie
     connect(actions["view.regionClear"], &QAction::triggered, &renderer, [this] { renderer_.setRegion(std::nullopt); });
     connect(actions["view.isolate"], &QAction::triggered, this, &PictureControls::toggleIsolation);
     connect(actions["render.copy"], &QAction::triggered, this, &PictureControls::copyPicture);
+    connect(actions["view.compare"], &QAction::triggered, this, &PictureControls::toggleComparison);
+    connect(&document.undoStack(), &QUndoStack::indexChanged, this, &PictureControls::showState);
     connect(&renderer, &Renderer::viewChanged, this, &PictureControls::showState);
     connect(&selection, &Selection::changed, this, &PictureControls::showState);
     showState();
@@ -53,11 +55,18 @@ void PictureControls::copyPicture() {
     QGuiApplication::clipboard()->setImage(image.copy());
 }
 
+void PictureControls::toggleComparison(bool on) {
+    const Scene* before = document_.sceneBefore();
+    renderer_.setCompared(on && before ? std::optional(*before) : std::nullopt);
+}
+
 void PictureControls::showState() {
     actions_[kChannelActions[static_cast<std::size_t>(renderer_.channel())]]->setChecked(true);
     actions_["view.filter"]->setChecked(renderer_.isFiltered());
     actions_["view.regionClear"]->setEnabled(renderer_.region().has_value());
     actions_["view.isolate"]->setChecked(renderer_.isIsolated());
+    actions_["view.compare"]->setChecked(renderer_.isComparing());
+    actions_["view.compare"]->setEnabled(renderer_.isComparing() || document_.sceneBefore());
     actions_["view.isolate"]->setEnabled(renderer_.isIsolated() || !selection_.isEmpty());
 }
 

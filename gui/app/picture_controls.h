@@ -23,6 +23,7 @@ class PictureControls : public QObject {
   private:
     void connectChannels();
     void toggleIsolation(bool on);
+    void toggleComparison(bool on);
     void copyPicture();
     void showState();
 

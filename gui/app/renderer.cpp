@@ -24,6 +24,7 @@ Renderer::Renderer(const Document& document, QObject* parent) : QObject(parent),
     connect(&document, &Document::changed, this, &Renderer::onDocumentChanged);
     connect(&document, &Document::replaced, this, [this] {
         isolated_.clear();
+        compared_.reset();
         changeView();
     });
     connect(&document, &Document::titleChanged, this, [this] {
@@ -87,8 +88,19 @@ void Renderer::setIsolated(std::vector<ObjectId> objects) {
     emit viewChanged();
 }
 
+void Renderer::setCompared(std::optional<Scene> scene) {
+    compared_ = std::move(scene);
+    publishScene();
+    emit viewChanged();
+}
+
 void Renderer::onDocumentChanged(const Scene& before) {
     const Scene& after = document_.scene();
+    // A step that is made or taken back is what the eye has to be on; looking around is not one.
+    if (compared_ && !(withViewCamera(before, after.viewCamera()) == after)) {
+        compared_.reset();
+        emit viewChanged();
+    }
     if (before.display != after.display) publishView();
     // Exposure and the like are applied to the film that is there: no restart.
     Scene traced = before;
@@ -100,7 +112,7 @@ void Renderer::publishScene() {
     assetFolder_ = document_.assetFolder();
     const Scene& scene = document_.scene();
     const Camera camera = fittedCamera(scene.viewCamera(), scene.film, view_.width, view_.height);
-    Scene seen = withViewCamera(scene, camera);
+    Scene seen = withViewCamera(compared_ ? *compared_ : scene, camera);
     if (isIsolated())
         for (const ObjectId id : seen.objects.ids()) {
             if (std::find(isolated_.begin(), isolated_.end(), id) != isolated_.end()) continue;

@@ -43,13 +43,16 @@ class Renderer : public QObject {
     void setRegion(const std::optional<QRectF>& region);
     /// Renders without the other objects, unless empty. The document stays as it is.
     void setIsolated(std::vector<ObjectId> objects);
+    /// Shows this scene, from where the document is looked at, instead of the document's, until it is edited; nothing: the document.
+    void setCompared(std::optional<Scene> scene);
+    [[nodiscard]] bool isComparing() const { return compared_.has_value(); }
     /// Out of sight nothing is rendered.
     void setShown(bool shown);
 
   signals:
     void frameReady();
     void pausedChanged(bool paused);
-    /// Channel, filter, region or isolation are others.
+    /// Channel, filter, region, isolation or comparison are others.
     void viewChanged();
 
   private:
@@ -63,6 +66,7 @@ class Renderer : public QObject {
     bool paused_ = false, shown_ = true;
     std::optional<QRectF> region_;
     std::vector<ObjectId> isolated_;
+    std::optional<Scene> compared_;
     ViewSettings view_;
     const SessionFrame* frame_ = nullptr;
     std::filesystem::path assetFolder_;  ///< as published

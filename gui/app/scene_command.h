@@ -16,6 +16,8 @@ class SceneCommand : public QUndoCommand {
     [[nodiscard]] int id() const override;
     bool mergeWith(const QUndoCommand* newer) override;
 
+    [[nodiscard]] const Scene& before() const { return before_; }
+
   private:
     Document& document_;
     Scene before_, after_;

@@ -1,9 +1,12 @@
 #include "gui/panels/pixel_inspector.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPointer>
 #include <QSpinBox>
+#include <QThreadPool>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -69,7 +72,18 @@ void PixelInspector::trace() {
         title_->setText(tr("There is no picture at this pixel."));
         return;
     }
-    const PathRecord record = recordSample(*frame->scene, {pixel_.x(), pixel_.y(), sample_->value()});
+    title_->setText(tr("Pixel %1, %2").arg(pixel_.x()).arg(pixel_.y()));
+    // Off this thread: a path of thousands of surfaces takes longer than a frame.
+    QThreadPool::globalInstance()->start([guard = QPointer(this), number = ++asked_, scene = frame->scene, place = SamplePlace{pixel_.x(), pixel_.y(), sample_->value()}] {
+        auto record = std::make_shared<const PathRecord>(recordSample(*scene, place));
+        QMetaObject::invokeMethod(qApp, [guard, number, record] {
+            if (guard && guard->asked_ == number) guard->show(*record);
+        });
+    });
+}
+
+void PixelInspector::show(const PathRecord& record) {
+    tree_->clear();
     title_->setText(tr("Pixel %1, %2: radiance %3").arg(pixel_.x()).arg(pixel_.y()).arg(numbers(record.value)));
     std::vector<QTreeWidgetItem*> above;
     for (const PathRow& row : pathRows(record, document_.scene())) {

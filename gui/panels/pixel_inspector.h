@@ -13,6 +13,7 @@ namespace glint {
 
 class Document;
 class Renderer;
+struct PathRecord;
 class Selection;
 
 class PixelInspector : public QWidget {
@@ -26,12 +27,14 @@ class PixelInspector : public QWidget {
 
   private:
     void trace();
+    void show(const PathRecord& record);
     void select(QTreeWidgetItem* item);
 
     Document& document_;
     Renderer& renderer_;
     Selection& selection_;
     QPoint pixel_{-1, -1};
+    int asked_ = 0;  ///< number of the newest trace; older ones that end later are dropped
     QLabel* title_;
     QSpinBox* sample_;
     QTreeWidget* tree_;

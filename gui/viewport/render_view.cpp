@@ -342,6 +342,7 @@ QString RenderView::hint() const {
     if (regionComes_) return tr("Drag the region that is to be rendered (Esc: not now)");
     QStringList parts;
     if (renderer.isPaused()) parts << tr("Paused (Space)");
+    if (renderer.isComparing()) parts << tr("Before the last step (B comes back)");
     if (renderer.isIsolated()) parts << tr("Only some objects are rendered (/ shows all)");
     if (renderer.isFiltered() && renderer.channel() == Channel::Beauty) parts << tr("Filtered");
     if (!parts.isEmpty()) return parts.join(QStringLiteral("  ·  "));

@@ -74,9 +74,9 @@ void measureTime(const Scene& scene, const std::string& file, const FilterOption
     out.guideMs = milliseconds([&] { guides.refine(full, kWidth, kHeight, 1, 1, {}, pool); });
     PreviewFilter filter;
     std::vector<Rgb> light;
-    filter.run(film, guides, pool, light);
+    filter.run(film, guides, pool, {}, light);
     std::vector<double> times;
-    for (int i = 0; i < options.runs; ++i) times.push_back(milliseconds([&] { filter.run(film, guides, pool, light); }));
+    for (int i = 0; i < options.runs; ++i) times.push_back(milliseconds([&] { filter.run(film, guides, pool, {}, light); }));
     out.filterMs = median(times);
 }
 

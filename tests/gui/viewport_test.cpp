@@ -77,6 +77,29 @@ class ViewportTest : public QObject {
     QPoint tipOf(int axis) { return axisEnd(view().context().projection(), *view().context().gizmoFrame(), axis)->toPoint(); }
 
   private slots:
+    void comparingShowsThePictureBeforeTheLastStepAtOnce() {
+        Scene scene = threeThings();
+        scene.render.spp = 64;
+        open(scene);
+        const Renderer& renderer = window_->renderer();
+        const auto converged = [&] { return renderer.frame() && renderer.frame()->state == SessionState::Converged; };
+        QTRY_VERIFY_WITH_TIMEOUT(converged(), kPatienceMs);
+        const auto before = renderer.frame()->pixels;
+        useTool("tool.move", kRight);
+        drag(&view(), Qt::LeftButton, tipOf(0), tipOf(0) + QPoint(40, 0));
+        QTRY_VERIFY_WITH_TIMEOUT(converged() && renderer.frame()->pixels != before, kPatienceMs);
+        const auto after = renderer.frame()->pixels;
+        const std::uint64_t rays = renderer.frame()->rays;
+        window_->actions()["view.compare"]->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(renderer.frame()->pixels, before, kPatienceMs);
+        window_->actions()["view.compare"]->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(renderer.frame()->pixels, after, kPatienceMs);
+        QCOMPARE(renderer.frame()->rays, rays);
+        window_->actions()["view.compare"]->trigger();
+        window_->document().undoStack().undo();
+        QVERIFY(!renderer.isComparing());
+        QVERIFY(!window_->actions()["view.compare"]->isEnabled());
+    }
     void cleanup() { window_.reset(); }
 
     // ---- Selecting ----

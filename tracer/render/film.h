@@ -1,6 +1,7 @@
 // Film: the sums of samples of every pixel. Each pixel is written by one worker at a time and its samples are added in the
 // order of their numbers, so the sums do not depend on threads, tiles or interruptions. Copies share their tiles until one of
-// them is written to. The errors of a film are in tile_error.h.
+// them is written to. A pixel takes 68 bytes: 28 for one sum and a count, 28 more for the second half and the spread of the first, 12 for
+// what edits keep of it. The errors of a film are in tile_error.h.
 #pragma once
 
 #include <array>
@@ -20,12 +21,7 @@ struct FilmPixel {
     DVec3 sumA{0.0}, sumB{0.0};
     std::uint64_t materials = 0;   ///< set of the materials that the samples rest on, see materialBit()
     std::uint32_t samples = 0;
-    std::uint32_t generation = 0;  ///< Film's own: sums of another generation are void
 
-    void add(const Rgb& value) {
-        (samples % 2 ? sumB : sumA) += toDouble(value);
-        ++samples;
-    }
     /// Mean of all samples; black without any.
     [[nodiscard]] Rgb mean() const { return samples ? toFloat((sumA + sumB) / static_cast<double>(samples)) : Rgb(0.0f); }
 };
@@ -40,6 +36,7 @@ struct HalfMoments {
 class Film {
   public:
     static constexpr int kTile = 16;  ///< pixels a side of what copies share; only one worker at a time may write to a tile
+    static constexpr std::size_t kBytesAPixel = 68;  ///< with one light group; each of more groups takes 24
 
     Film() = default;
     /// With `groups` above 1 the light of each group is also kept, so that it can be mixed; 1 to kMaxLightGroups.
@@ -50,18 +47,18 @@ class Film {
     [[nodiscard]] std::size_t groups() const { return groups_; }
     /// The pixel, its sums mixed: a value, because a mix is made when it is asked for.
     [[nodiscard]] FilmPixel at(int x, int y) const {
-        const FilmPixel* pixel = find(x, y);
-        if (!pixel) return {};
-        return isMixed_ ? mixed(*pixel, x, y) : *pixel;
+        const Sums* sums = find(x, y);
+        if (!sums) return {};
+        return isMixed_ ? mixed(*sums, x, y) : FilmPixel{sums->a, sums->b, sums->materials, sums->samples};
     }
     /// Without the work of mixing.
     [[nodiscard]] std::uint32_t samples(int x, int y) const {
-        const FilmPixel* pixel = find(x, y);
-        return pixel ? pixel->samples : 0;
+        const Sums* sums = find(x, y);
+        return sums ? sums->samples : 0;
     }
     [[nodiscard]] std::uint64_t materials(int x, int y) const {
-        const FilmPixel* pixel = find(x, y);
-        return pixel ? pixel->materials : 0;
+        const Sums* sums = find(x, y);
+        return sums ? sums->materials : 0;
     }
     /// Unmixed.
     [[nodiscard]] HalfMoments momentsA(int x, int y) const;
@@ -87,25 +84,32 @@ class Film {
 
   private:
     static constexpr std::size_t kPixels = static_cast<std::size_t>(kTile) * kTile;
+    /// As FilmPixel, and what is asked of half A alone. Not initialised: Tile::generation says whether there is anything.
+    struct Sums {
+        DVec3 a, b;
+        std::uint64_t materials;
+        std::uint32_t samples;
+        float squaresA;  ///< sum of squares of luminance
+    };
     struct Tile {
-        std::array<FilmPixel, kPixels> pixels;
-        std::array<float, kPixels> squaresA{};  ///< sums of squares of luminance
-        std::vector<Vec3> light;  ///< sums by group: pixel x half x group; empty with one group
+        std::array<std::uint32_t, kPixels> generation{};  ///< sums of another one than the film's are void
+        std::array<Sums, kPixels> sums;
+        std::unique_ptr<Vec3[]> light;  ///< sums by group: pixel x half x group; null with one group
     };
 
     [[nodiscard]] std::size_t tileOf(int x, int y) const {
         return static_cast<std::size_t>(y / kTile) * static_cast<std::size_t>(columns()) + static_cast<std::size_t>(x / kTile);
     }
     static std::size_t placeOf(int x, int y) { return static_cast<std::size_t>(y % kTile * kTile + x % kTile); }
-    [[nodiscard]] const FilmPixel* find(int x, int y) const {
+    [[nodiscard]] const Sums* find(int x, int y) const {
         const Tile* tile = tiles_[tileOf(x, y)].get();
-        if (!tile) return nullptr;
-        const FilmPixel& pixel = tile->pixels[placeOf(x, y)];
-        return pixel.generation == generation_ ? &pixel : nullptr;
+        const std::size_t place = placeOf(x, y);
+        return tile && tile->generation[place] == generation_ ? &tile->sums[place] : nullptr;
     }
     /// The tile for writing: not shared with any copy.
     Tile& own(std::size_t tile);
-    [[nodiscard]] FilmPixel mixed(const FilmPixel& pixel, int x, int y) const;
+    [[nodiscard]] std::shared_ptr<Tile> newTile() const;
+    [[nodiscard]] FilmPixel mixed(const Sums& sums, int x, int y) const;
 
     int width_ = 0, height_ = 0;
     std::size_t groups_ = 1;

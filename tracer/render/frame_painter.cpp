@@ -34,6 +34,20 @@ Legend rangeOf(const GuideFilm& guides, int width, int height, int stride, Value
     return out.low > out.high ? Legend{0, 1, false} : out;
 }
 
+/// From the nearest surface to the depth that nineteen of twenty pixels stay below: one horizon would leave the rest a single colour.
+Legend depthScale(const GuideFilm& guides, int width, int height, int stride) {
+    constexpr double kShare = 0.95;
+    std::vector<float> depths;
+    for (int y = 0; y < height; y += std::max(stride, 4))
+        for (int x = 0; x < width; x += std::max(stride, 4))
+            if (const GuideFilm::Pixel& guide = guides.at(x, y); guide.object != 0) depths.push_back(guide.depth);
+    if (depths.empty()) return {0, 1, false};
+    const auto last = depths.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(depths.size() - 1));
+    std::nth_element(depths.begin(), last, depths.end());
+    const double low = static_cast<double>(*std::min_element(depths.begin(), last + 1));
+    return {low, static_cast<double>(*last), low > 0};
+}
+
 float placeOn(const Legend& legend, float value) {
     const auto scaled = [&](double v) { return legend.logarithmic ? std::log2(v) : v; };
     const double low = scaled(legend.low), high = scaled(legend.high);
@@ -43,19 +57,31 @@ float placeOn(const Legend& legend, float value) {
 }  // namespace
 
 template <class Color>
-void FramePainter::eachPixel(const Film& film, Color&& color, Painting& out) {
-    const int width = film.width(), height = film.height();
+bool FramePainter::eachPixel(const Film& film, Color&& color, Painting& out) {
+    return eachBlock(film, 1, color, out);
+}
+
+template <class Color>
+bool FramePainter::eachBlock(const Film& film, int stride, Color&& color, Painting& out) {
+    const int width = film.width(), height = film.height(), rows = std::max(kBandRows, stride);
     out.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    pool_.run((height + kBandRows - 1) / kBandRows, [&](int, int band) {
-        for (int y = band * kBandRows; y < std::min(height, (band + 1) * kBandRows); ++y) {
-            std::uint32_t* row = out.pixels.data() + static_cast<std::ptrdiff_t>(y) * width;
-            for (int x = 0; x < width; ++x) row[x] = color(x, y);
+    const auto rowOf = [&](int y) { return out.pixels.data() + static_cast<std::ptrdiff_t>(y) * width; };
+    std::atomic<bool> complete{true};  // Only a flag, read when all workers have ended: relaxed.
+    pool_.run((height + rows - 1) / rows, [&](int, int band) {
+        if (cancel_.cancelled()) return complete.store(false, std::memory_order_relaxed);
+        const int end = std::min(height, (band + 1) * rows);
+        for (int y = band * rows; y < end; y += stride) {
+            std::uint32_t* row = rowOf(y);
+            for (int x = 0; x < width; x += stride) std::fill(row + x, row + std::min(x + stride, width), color(x, y));
+            for (int copy = y + 1; copy < std::min(end, y + stride); ++copy) std::copy(row, row + width, rowOf(copy));
         }
     });
+    return complete.load(std::memory_order_relaxed);
 }
 
 bool FramePainter::paint(const std::shared_ptr<const RenderScene>& scene, const Film& film, const Backdrop* backdrop, int stride,
                          const TileErrors& errors, const PaintSettings& settings, const CancelToken& cancel, Painting& out) {
+    cancel_ = cancel;
     const bool filters = settings.filtered && settings.channel == Channel::Beauty && stride == 1;
     if (filters || isSurfaceChannel(settings.channel)) {
         const std::uint32_t samples = stride > 1 ? 1 : GuideFilm::kSamples;
@@ -66,35 +92,30 @@ bool FramePainter::paint(const std::shared_ptr<const RenderScene>& scene, const 
     out.legend.reset();
     out.errors = errors;
     const int mask = ~(stride - 1);
-    if (isSurfaceChannel(settings.channel)) {
-        paintSurfaces(film, mask, out);
-    } else if (settings.channel != Channel::Beauty) {
-        paintScale(film, backdrop, mask, settings, out);
-    } else if (filters) {
-        filter_.run(film, guides_, pool_, filteredLight_);
-        const DisplayTransform transform(settings.display);
-        eachPixel(film, [&](int x, int y) { return transform.apply(filteredLight_[static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width()) + static_cast<std::size_t>(x)]); }, out);
-    } else {
-        paintBeauty(film, backdrop, mask, DisplayTransform(settings.display), out);
-    }
-    return true;
+    if (isSurfaceChannel(settings.channel)) return paintSurfaces(film, mask, out);
+    if (settings.channel != Channel::Beauty) return paintScale(film, backdrop, mask, settings, out);
+    if (!filters) return paintBeauty(film, backdrop, mask, DisplayTransform(settings.display), out);
+    if (!filter_.run(film, guides_, pool_, cancel, filteredLight_)) return false;
+    const DisplayTransform transform(settings.display);
+    const auto width = static_cast<std::size_t>(film.width());
+    return eachPixel(film, [&](int x, int y) { return transform.apply(filteredLight_[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)]); }, out);
 }
 
-void FramePainter::paintBeauty(const Film& film, const Backdrop* backdrop, int mask, const DisplayTransform& transform, Painting& out) {
-    eachPixel(film, [&](int x, int y) { return transform.apply(shownAt(film, backdrop, mask, x, y)); }, out);
+bool FramePainter::paintBeauty(const Film& film, const Backdrop* backdrop, int mask, const DisplayTransform& transform, Painting& out) {
+    if (backdrop) return eachPixel(film, [&](int x, int y) { return transform.apply(shownAt(film, backdrop, mask, x, y)); }, out);
+    return eachBlock(film, -mask, [&](int x, int y) { return transform.apply(film.at(x, y).mean()); }, out);
 }
 
-void FramePainter::paintSurfaces(const Film& film, int mask, Painting& out) {
+bool FramePainter::paintSurfaces(const Film& film, int mask, Painting& out) {
     const int width = film.width(), height = film.height(), stride = -mask;
-    const auto paintGuides = [&](auto color) { eachPixel(film, [&](int x, int y) { return color(guides_.at(x & mask, y & mask)); }, out); };
+    const auto paintGuides = [&](auto color) { return eachPixel(film, [&](int x, int y) { return color(guides_.at(x & mask, y & mask)); }, out); };
     switch (out.channel) {
         case Channel::Albedo: return paintGuides([](const GuideFilm::Pixel& g) { return plainColor({srgbFromLinear(g.albedo.x), srgbFromLinear(g.albedo.y), srgbFromLinear(g.albedo.z)}); });
         case Channel::Normal: return paintGuides([](const GuideFilm::Pixel& g) { return g.object ? plainColor(g.normal * 0.5f + 0.5f) : idColor(0); });
         case Channel::Object: return paintGuides([](const GuideFilm::Pixel& g) { return idColor(g.object); });
         case Channel::Material: return paintGuides([](const GuideFilm::Pixel& g) { return idColor(g.material); });
         case Channel::Depth: {
-            Legend legend = rangeOf(guides_, width, height, stride, [](const GuideFilm::Pixel& g) { return g.depth; });
-            legend.logarithmic = legend.low > 0;
+            const Legend legend = depthScale(guides_, width, height, stride);
             out.legend = legend;
             return paintGuides([legend](const GuideFilm::Pixel& g) { return g.object ? falseColor(1 - placeOn(legend, g.depth)) : idColor(0); });
         }
@@ -103,15 +124,23 @@ void FramePainter::paintSurfaces(const Film& film, int mask, Painting& out) {
     // Position: each axis from the least to the largest value in view.
     std::array<Legend, 3> axes;
     for (int c = 0; c < 3; ++c) axes[static_cast<std::size_t>(c)] = rangeOf(guides_, width, height, stride, [c](const GuideFilm::Pixel& g) { return g.position[c]; });
-    paintGuides([axes](const GuideFilm::Pixel& g) {
+    return paintGuides([axes](const GuideFilm::Pixel& g) {
         return g.object ? plainColor({placeOn(axes[0], g.position.x), placeOn(axes[1], g.position.y), placeOn(axes[2], g.position.z)}) : idColor(0);
     });
 }
 
-void FramePainter::paintScale(const Film& film, const Backdrop* backdrop, int mask, const PaintSettings& settings, Painting& out) {
+bool FramePainter::paintErrors(const Film& film, Painting& out) {
+    out.legend = Legend{0.001, 1, true};
+    return eachPixel(film, [&](int x, int y) {
+        const auto bound = out.errors.at(x, y);
+        return bound ? falseColor(placeOn(*out.legend, *bound)) : idColor(0);  // A tile without a second sample says nothing.
+    }, out);
+}
+
+bool FramePainter::paintScale(const Film& film, const Backdrop* backdrop, int mask, const PaintSettings& settings, Painting& out) {
     const auto paint = [&](const Legend& legend, auto valueOf) {
         out.legend = legend;
-        eachPixel(film, [&, legend](int x, int y) { return falseColor(placeOn(legend, valueOf(x, y))); }, out);
+        return eachPixel(film, [&, legend](int x, int y) { return falseColor(placeOn(legend, valueOf(x, y))); }, out);
     };
     if (out.channel == Channel::Samples) {
         std::uint32_t most = 1;
@@ -120,11 +149,11 @@ void FramePainter::paintScale(const Film& film, const Backdrop* backdrop, int ma
         return paint({0, static_cast<double>(most), false}, [&](int x, int y) { return static_cast<float>(film.samples(x, y)); });
     }
     if (out.channel == Channel::Error)
-        return paint({0.001, 1, true}, [&](int x, int y) { return out.errors.at(x, y).value_or(1.0f); });
+        return paintErrors(film, out);
     // Luminance in stops over or under middle grey, which is 18 % of white, as exposed.
     constexpr double kStops = 6, kMiddleGrey = 0.18;
     const float scale = static_cast<float>(std::exp2(settings.display.exposureEv) / kMiddleGrey);
-    paint({-kStops, kStops, false}, [&](int x, int y) {
+    return paint({-kStops, kStops, false}, [&](int x, int y) {
         return std::log2(std::max(luminance(shownAt(film, backdrop, mask, x, y)) * scale, 1e-30f));
     });
 }

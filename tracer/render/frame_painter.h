@@ -47,19 +47,26 @@ class FramePainter {
     explicit FramePainter(WorkerPool& pool) : pool_(pool) {}
 
     /// Paints `film`, which holds samples of `scene` at all pixels whose x and y are multiples of `stride` and maybe others;
-    /// `backdrop`, which may be null, is shown where it has none. The channels of surfaces and the filter trace guides first; false when cancelled meanwhile, `out` is then of no use.
+    /// `backdrop`, which may be null, is shown where it has none. The channels of surfaces and the filter trace guides first. False
+    /// when cancelled: `out` is then of no use.
     /// The filter waits until every pixel has a sample.
     bool paint(const std::shared_ptr<const RenderScene>& scene, const Film& film, const Backdrop* backdrop, int stride,
                const TileErrors& errors, const PaintSettings& settings, const CancelToken& cancel, Painting& out);
 
   private:
-    void paintBeauty(const Film& film, const Backdrop* backdrop, int mask, const DisplayTransform& transform, Painting& out);
-    void paintSurfaces(const Film& film, int mask, Painting& out);
-    void paintScale(const Film& film, const Backdrop* backdrop, int mask, const PaintSettings& settings, Painting& out);
+    bool paintBeauty(const Film& film, const Backdrop* backdrop, int mask, const DisplayTransform& transform, Painting& out);
+    bool paintSurfaces(const Film& film, int mask, Painting& out);
+    bool paintErrors(const Film& film, Painting& out);
+    bool paintScale(const Film& film, const Backdrop* backdrop, int mask, const PaintSettings& settings, Painting& out);
+    /// Fills the picture with color(x, y); false when cancelled.
     template <class Color>
-    void eachPixel(const Film& film, Color&& color, Painting& out);
+    bool eachPixel(const Film& film, Color&& color, Painting& out);
+    /// The same, asking one pixel of each block of stride x stride only.
+    template <class Color>
+    bool eachBlock(const Film& film, int stride, Color&& color, Painting& out);
 
     WorkerPool& pool_;
+    CancelToken cancel_;  ///< of the call of paint()
     GuideFilm guides_;
     PreviewFilter filter_;
     std::vector<Rgb> filteredLight_;

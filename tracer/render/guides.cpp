@@ -71,12 +71,15 @@ GuideSample traceGuide(const RenderScene& scene, int x, int y, std::uint32_t sam
 
 bool GuideFilm::refine(const std::shared_ptr<const RenderScene>& scene, int width, int height, int stride, std::uint32_t samples,
                        const CancelToken& cancel, WorkerPool& pool) {
-    if (scene != scene_ || width != width_ || height != height_) {
-        scene_ = scene;
+    if (width != width_ || height != height_) {
         width_ = width;
         height_ = height;
         pixels_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), {});
+        rowIsCurrent_.assign(static_cast<std::size_t>(height), true);
+    } else if (scene != scene_) {
+        std::fill(rowIsCurrent_.begin(), rowIsCurrent_.end(), false);
     }
+    scene_ = scene;
     const std::uint32_t target = std::min(samples, kSamples);
     const auto addTo = [&](Pixel& pixel, int x, int y) {
         const GuideSample s = traceGuide(*scene, x, y, pixel.samples);
@@ -96,6 +99,10 @@ bool GuideFilm::refine(const std::shared_ptr<const RenderScene>& scene, int widt
     const int rows = (height + stride - 1) / stride;
     std::atomic<bool> complete{true};  // of all workers; only a flag, read after they ended: relaxed
     pool.run(rows, [&](int, int row) {
+        if (auto& current = rowIsCurrent_[static_cast<std::size_t>(row * stride)]; !current) {
+            std::fill_n(pixels_.begin() + static_cast<std::ptrdiff_t>(row) * stride * width, width, Pixel{});
+            current = true;
+        }
         for (int x = 0; x < width; x += stride) {
             Pixel& pixel = pixels_[static_cast<std::size_t>(row * stride) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
             while (pixel.samples < target) {

@@ -57,6 +57,7 @@ class GuideFilm {
     std::shared_ptr<const RenderScene> scene_;  ///< held, so that no other can come to its address
     int width_ = 0, height_ = 0;
     std::vector<Pixel> pixels_;
+    std::vector<char> rowIsCurrent_;  ///< else the row is of an older scene; emptied by the worker that comes to it
 };
 
 }  // namespace glint

@@ -27,6 +27,12 @@ struct Picture {
     int stride = 1;       ///< grid of the pass to come; above 1 while the first sample refines
     int shownStride = 0;  ///< grid on which every pixel has a sample; 0: there is nothing to show
     FilmErrors errors;
+    struct Judged {
+        PixelRect rect;
+        LightMix mix;
+        int spp = 0;
+        double seconds = 0;
+    } judged;  ///< of what the film was when `errors` were found
     ErrorTrend trend;
     std::vector<std::uint32_t> goals;  ///< of the adaptive stage under way; empty: there is none
 };

@@ -46,7 +46,7 @@ void PreviewFilter::store(const GuideFilm& guides, int y, std::vector<Rgb>& out)
         row[x] = divisor(guides.at(x, y)) * Rgb(planes_.light[kFrom][0].row(y)[x], planes_.light[kFrom][1].row(y)[x], planes_.light[kFrom][2].row(y)[x]);
 }
 
-void PreviewFilter::run(const Film& film, const GuideFilm& guides, WorkerPool& pool, std::vector<Rgb>& out) {
+bool PreviewFilter::run(const Film& film, const GuideFilm& guides, WorkerPool& pool, const CancelToken& cancel, std::vector<Rgb>& out) {
     const int width = film.width(), height = film.height();
     if (width != planes_.width || height != planes_.height) {
         planes_.width = width;
@@ -57,9 +57,11 @@ void PreviewFilter::run(const Film& film, const GuideFilm& guides, WorkerPool& p
             plane->resize(width, height);
     }
     out.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    std::atomic<bool> complete{true};  // Only a flag, read when all workers have ended: relaxed.
     const auto eachRow = [&](auto&& work) {
         constexpr int kRows = 16;
         pool.run((height + kRows - 1) / kRows, [&](int, int band) {
+            if (cancel.cancelled()) return complete.store(false, std::memory_order_relaxed);
             for (int y = band * kRows; y < std::min(height, (band + 1) * kRows); ++y) work(y);
         });
     };
@@ -68,6 +70,7 @@ void PreviewFilter::run(const Film& film, const GuideFilm& guides, WorkerPool& p
     eachRow([&](int y) { loops.prepare(planes_, y); });
     for (int i = 0; i < kSteps; ++i) eachRow([&](int y) { loops.step(planes_, (i + 1) % 2, 1 << i, y); });
     eachRow([&](int y) { store(guides, y, out); });
+    return complete.load(std::memory_order_relaxed);
 }
 
 }  // namespace glint

@@ -45,8 +45,8 @@ class PreviewFilter {
     static constexpr int kSteps = 5;  ///< the last one looks 2 * 2^(kSteps - 1) pixels far
 
     /// Fills `out` (height x width, row-major, linear) with the denoised means of `film`. Pixels without a sample take no part and
-    /// stay black; all others need a guide.
-    void run(const Film& film, const GuideFilm& guides, WorkerPool& pool, std::vector<Rgb>& out);
+    /// stay black; all others need a guide. False when cancelled: `out` is then of no use.
+    bool run(const Film& film, const GuideFilm& guides, WorkerPool& pool, const CancelToken& cancel, std::vector<Rgb>& out);
 
   private:
     void load(const Film& film, const GuideFilm& guides, int y);

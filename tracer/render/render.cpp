@@ -111,7 +111,7 @@ class HeadlessRender {
         everyPixelHasASample_.store(done > 0 || result != PassResult::Cancelled, std::memory_order_relaxed);
         if (result == PassResult::Partial) return true;
         // The rule by error is asked when a stage is whole, so that it does not depend on timing.
-        findErrors(film_, rect_, pool_, errors_);
+        findErrors(film_, rect_, pool_, {}, errors_);
         trend_.add(elapsed(), errors_.picture);
         if (result == PassResult::Done) goals_.clear();
         return result == PassResult::Done;
@@ -168,7 +168,7 @@ class HeadlessRender {
         GuideFilm guides;
         guides.refine(shared_, out.width, out.height, 1, GuideFilm::kSamples, {}, pool_);
         std::vector<Rgb> pixels;
-        PreviewFilter().run(film_, guides, pool_, pixels);
+        PreviewFilter().run(film_, guides, pool_, {}, pixels);
         for (std::size_t i = 0; i < pixels.size(); ++i)
             for (int c = 0; c < 3; ++c) out.rgb[3 * i + static_cast<std::size_t>(c)] = pixels[i][c];
         return out;
@@ -195,7 +195,7 @@ class HeadlessRender {
 
 std::optional<Error> memoryProblem(const RenderScene& scene, bool layers) {
     // The film, the picture made of it, and its planes or bytes for the file.
-    constexpr double kBytesAPixel = sizeof(FilmPixel) + 2 * 3 * sizeof(float), kBytesOfLayers = 300;
+    constexpr double kBytesAPixel = Film::kBytesAPixel + 2 * 3 * sizeof(float), kBytesOfLayers = 300;
     const double pixels = static_cast<double>(scene.film.width) * scene.film.height,
                  needed = pixels * (kBytesAPixel + (layers ? kBytesOfLayers : 0));
     const auto free = freeMemory();

@@ -54,7 +54,7 @@ double errorBoundFactor(int pixels) {
     return std::exp(std::sqrt(sigma2 / 2) * (x + sigma2 * (x * x * x + 3 * x) / 24));
 }
 
-void findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, FilmErrors& out) {
+bool findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, const CancelToken& cancel, FilmErrors& out) {
     const int width = film.width(), height = film.height(), rows = (height + kErrorTile - 1) / kErrorTile;
     out.tiles.columns = (width + kErrorTile - 1) / kErrorTile;
     out.tiles.bounds.assign(static_cast<std::size_t>(out.tiles.columns) * static_cast<std::size_t>(rows), -1.0f);
@@ -65,7 +65,9 @@ void findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, FilmE
         std::uint32_t least = ~0u;
     };
     std::vector<Row> sums(static_cast<std::size_t>(rows));
+    std::atomic<bool> complete{true};  // Only a flag, read when all workers have ended: relaxed.
     pool.run(rows, [&](int, int row) {
+        if (cancel.cancelled()) return complete.store(false, std::memory_order_relaxed);
         Row& own = sums[static_cast<std::size_t>(row)];
         for (int column = 0; column < out.tiles.columns; ++column) {
             ErrorSum tile;
@@ -85,6 +87,7 @@ void findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, FilmE
             out.tiles.bounds[static_cast<std::size_t>(row * out.tiles.columns + column)] = static_cast<float>(bound);
         }
     });
+    if (!complete.load(std::memory_order_relaxed)) return false;
     Row all;
     for (const Row& row : sums) {
         all.inRect.add(row.inRect);
@@ -100,6 +103,7 @@ void findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, FilmE
     const double mean = all.pixels ? all.light / static_cast<double>(all.pixels) : 0;
     for (float& bound : out.tiles.bounds)
         if (bound > 0) bound = mean > 0 ? static_cast<float>(bound / mean) : 1.0f;
+    return true;
 }
 
 double pictureError(const Film& film, const PixelRect& rect) { return sumOver(film, rect).relativeError(); }

@@ -57,8 +57,8 @@ struct FilmErrors {
     double meanSamples = 0;      ///< a pixel of that rectangle
     int leastSamples = 0;        ///< that every pixel of it has
 };
-/// Bounds of all tiles, and the error of the pixels of `rect`.
-void findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, FilmErrors& out);
+/// Bounds of all tiles, and the error of the pixels of `rect`. False when cancelled: `out` is then of no use.
+bool findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, const CancelToken& cancel, FilmErrors& out);
 
 /// Whether a picture with that error and so many samples a pixel meets the stop rule `percent` (0: none). A few samples alone
 /// may by chance agree, and miss what is rare: fewer than 16 never do.

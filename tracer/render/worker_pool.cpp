@@ -20,6 +20,11 @@ void flushDenormals() {
 #endif
 }
 
+void giveWay() {
+    const auto self = static_cast<id_t>(syscall(SYS_gettid));
+    setpriority(PRIO_PROCESS, self, getpriority(PRIO_PROCESS, 0) + 5);
+}
+
 WorkerPool::WorkerPool(int threads) {
     const int extra = std::max(threads, 1) - 1;
     threads_.reserve(static_cast<std::size_t>(extra));
@@ -46,7 +51,7 @@ void WorkerPool::run(int pieces, const PieceFunction& work) {
 
 void WorkerPool::loop(int worker) {
     pthread_setname_np(pthread_self(), ("glint-worker-" + std::to_string(worker)).substr(0, 15).c_str());
-    setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), 5);
+    giveWay();
     flushDenormals();
     for (std::uint32_t seen = 0;;) {
         generation_.wait(seen, std::memory_order_acquire);

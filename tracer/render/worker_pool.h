@@ -46,4 +46,7 @@ class WorkerPool {
 /// of the tracer do not rest on numbers that small.
 void flushDenormals();
 
+/// The calling thread is slightly nice from now on: one that answers a person goes first.
+void giveWay();
+
 }  // namespace glint
