@@ -79,13 +79,17 @@ class ViewportTest : public QObject {
   private slots:
     void comparingShowsThePictureBeforeTheLastStepAtOnce() {
         Scene scene = threeThings();
-        scene.render.spp = 64;
+        scene.render.spp = 4;
         open(scene);
         const Renderer& renderer = window_->renderer();
-        const auto converged = [&] { return renderer.frame() && renderer.frame()->state == SessionState::Converged; };
+        const auto converged = [&] {
+            const SessionFrame* frame = renderer.frame();
+            return frame && frame->state == SessionState::Converged && QSize(frame->width, frame->height) == view().size() * view().devicePixelRatioF();
+        };
+        useTool("tool.move", kRight);
+        QTest::qWait(200);  // The panel of the selection takes its place.
         QTRY_VERIFY_WITH_TIMEOUT(converged(), kPatienceMs);
         const auto before = renderer.frame()->pixels;
-        useTool("tool.move", kRight);
         drag(&view(), Qt::LeftButton, tipOf(0), tipOf(0) + QPoint(40, 0));
         QTRY_VERIFY_WITH_TIMEOUT(converged() && renderer.frame()->pixels != before, kPatienceMs);
         const auto after = renderer.frame()->pixels;
