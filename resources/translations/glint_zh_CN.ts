@@ -1892,6 +1892,14 @@ MIT 许可证。</translation>
         <source>Measure how the error of this scene falls with time</source>
         <translation>测量此场景的误差如何随时间下降</translation>
     </message>
+    <message>
+        <source>Before the last &amp;step</source>
+        <translation>上一步之前(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show the picture as it was before the last step, to compare; press again to come back</source>
+        <translation>显示上一步之前的画面以作比较；再按一次返回</translation>
+    </message>
 </context>
 <context>
     <name>glint::ColorPopup</name>
@@ -2967,6 +2975,10 @@ Drag it onto an object</source>
         <source>Sample</source>
         <translation>样本</translation>
     </message>
+    <message>
+        <source>Pixel %1, %2</source>
+        <translation>像素 %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>glint::PreferencesDialog</name>
@@ -3134,6 +3146,10 @@ Click an object in the picture or in the list.</source>
     <message>
         <source>Filtered</source>
         <translation>已滤波</translation>
+    </message>
+    <message>
+        <source>Before the last step (B comes back)</source>
+        <translation>上一步之前（按 B 返回）</translation>
     </message>
 </context>
 <context>
