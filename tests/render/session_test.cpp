@@ -281,112 +281,84 @@ TEST(Session, UndoBringsTheConvergedPictureBack) {
     }
 }
 
-/// Changes a random value of a random material, or gives an object another one.
-void editMaterials(Scene& scene, std::mt19937& random) {
-    const auto unit = [&] { return static_cast<double>(random() % 1001) / 1000; };
-    const std::vector<MaterialId> ids = scene.materials.ids();
-    const MaterialId id = ids[random() % ids.size()];
-    if (random() % 8 == 0) {
-        const std::vector<ObjectId> objects = scene.objects.ids();
-        const ObjectId given = objects[random() % objects.size()];
-        Object object = scene.objects.at(given);
-        object.material = id;
-        scene.objects.set(given, object);
-        return;
+/// One random thing that a person or a window does to a session.
+class RandomHand {
+  public:
+    explicit RandomHand(unsigned seed) : random_(seed), b_(stillLife()), history_{b_.scene()} {}
+
+    void begin(Session& session) {
+        session.publish(view_);
+        session.publish(b_.scene(), {});
     }
-    Material material = scene.materials.at(id);
-    if (auto* glass = std::get_if<Glass>(&material.value)) {
-        glass->ior.value = 1.1 + unit();
-        glass->absorption.value = {unit(), unit(), unit()};
-    } else if (auto* mix = std::get_if<Mix>(&material.value)) {
-        mix->amount.value = unit();
-    } else if (auto* mirror = std::get_if<Mirror>(&material.value)) {
-        mirror->color.value = {unit(), unit(), unit()};
-    } else {
-        material.value = Diffuse{Color{unit(), unit(), unit()}};
+    void act(Session& session) {
+        switch (random_() % 16) {
+            case 0: case 1: case 2: moveBall(); break;
+            case 3: case 4: moveCamera(); break;
+            case 5: case 6: editMaterial(); break;
+            case 7: case 8: b_.scene().environment.intensity = 0.1 + unit(); break;
+            case 9: b_.scene() = history_[random_() % history_.size()]; break;  // undo and redo
+            case 10: view_.width = static_cast<int>(random_() % 150), view_.height = static_cast<int>(random_() % 100); return session.publish(view_);
+            case 11: view_.paused = !view_.paused; return session.publish(view_);
+            case 12: view_.paint = {{unit(), View::Standard}, static_cast<Channel>(random_() % kChannels), random_() % 2 == 0}; return session.publish(view_);
+            case 13: setRegion(); return session.publish(view_);
+            case 14: view_.threads = static_cast<int>(random_() % 4); return session.publish(view_);
+            default: b_.scene().render.spp = static_cast<int>(1 + random_() % 30), b_.scene().render.errorPercent = random_() % 3 == 0 ? 5 : 0; break;
+        }
+        history_.push_back(b_.scene());
+        if (history_.size() > 20) history_.erase(history_.begin());
+        session.publish(b_.scene(), {});
     }
-    scene.materials.set(id, material);
-}
+    std::uint32_t random() { return static_cast<std::uint32_t>(random_()); }
 
-/// A still life in which light passes a veil and stays within glass.
-SceneBuilder materialStage(Integrator integrator) {
-    SceneBuilder b;
-    const MaterialId clay = b.material(Diffuse{}), veil = b.material(Mix{});
-    Material mix = b.scene().materials.at(veil);
-    std::get<Mix>(mix.value) = {.a = {{}, true}, .b = {clay}};
-    b.scene().materials.set(veil, mix);
-    b.object(Plane{}, b.material(Diffuse{}));
-    b.object(Sphere{1}, b.material(Glass{}), {-1, 1, 0});
-    b.object(Sphere{0.4}, b.material(Mirror{}), {-1, 1, 0});
-    b.object(Sphere{0.6}, b.material(Diffuse{}), {1, 0.6, 0});
-    b.object(Box{{1, 2, 0.2}}, veil, {0.3, 1, 1});
-    b.object(Sphere{0.5}, {}, {0, 4, 1}, {9, 8, 7});
-    b.scene().environment.color = Color{0.4, 0.5, 0.6};
-    b.pointLight({2, 3, 2}, {10, 9, 8});
-    b.camera({0, 2, 6}, {0, 0.8, 0}, 40);
-    b.scene().film.width = 24;
-    b.scene().film.height = 18;
-    b.scene().render.spp = 3;
-    b.scene().render.integrator = integrator;
-    b.scene().render.transparentShadows = true;
-    return b;
-}
-
-/// Random material edits one after the other, each compared with a render from nothing.
-void materialEditsAreExact(Integrator integrator, int edits, unsigned seed) {
-    std::mt19937 random(seed);
-    SceneBuilder b = materialStage(integrator);
-    Session session(2);
-    session.publish(viewOf(b.scene()));
-    session.publish(b.scene(), {});
-    static_cast<void>(waitFor(session, isConverged));
-    double share = 0;
-    int retraced = 0;
-    for (int i = 0; i < edits; ++i) {
-        editMaterials(b.scene(), random);
-        const std::uint64_t revision = session.publish(b.scene(), {});
-        const SessionFrame frame = waitFor(session, [&](const SessionFrame& f) { return f.revision == revision && isConverged(f); });
-        ASSERT_EQ(frame.pixels, shown(b.render().beauty, {})) << "edit " << i << " of seed " << seed;
-        if (frame.retracedShare < 1) share += frame.retracedShare, ++retraced;
+  private:
+    double unit() { return static_cast<double>(random_() % 1001) / 1000; }
+    void moveBall() {
+        const ObjectId id = b_.scene().objects.ids()[1 + random_() % 2];
+        Object object = b_.scene().objects.at(id);
+        object.transform.translate.x = 2 * unit();
+        b_.scene().objects.set(id, object);
     }
-    EXPECT_GT(retraced, edits / 2) << "most edits are to keep some pixels";
-    testing::Test::RecordProperty("mean share of the pixels", std::to_string(share / retraced));
-}
+    void moveCamera() { b_.scene().camera.position.x = unit(); }
+    void editMaterial() {
+        const MaterialId id = b_.scene().materials.ids()[random_() % 3];
+        Material material = b_.scene().materials.at(id);
+        if (auto* diffuse = std::get_if<Diffuse>(&material.value)) diffuse->color.value = {unit(), unit(), unit()};
+        if (auto* glass = std::get_if<Glass>(&material.value)) glass->ior.value = 1.1 + unit();
+        if (auto* mirror = std::get_if<Mirror>(&material.value)) mirror->color.value = {unit(), unit(), unit()};
+        b_.scene().materials.set(id, material);
+    }
+    void setRegion() {
+        view_.region.reset();
+        if (random_() % 2) view_.region = PixelRect{static_cast<int>(random_() % 80), static_cast<int>(random_() % 60), static_cast<int>(random_() % 90), static_cast<int>(random_() % 60)};
+    }
 
-TEST(Session, MaterialEditsAreBitEqualToAFullRender) {
-    materialEditsAreExact(Integrator::Path, 150, 1);
-    materialEditsAreExact(Integrator::Classic, 150, 2);
-}
-TEST(SessionFull, TenThousandMaterialEditsAreBitEqualToAFullRender) {
-    if (!test::fullRun()) GTEST_SKIP() << "asked for by GLINT_FULL=1";
-    materialEditsAreExact(Integrator::Path, 5000, 3);
-    materialEditsAreExact(Integrator::Classic, 5000, 4);
-}
+    std::mt19937 random_;
+    SceneBuilder b_;
+    std::vector<Scene> history_;
+    ViewSettings view_{120, 90, {}, false, {}, 0};
+};
 
-TEST(Session, SurvivesRandomEditsResizesPausesAndQuits) {
-    std::mt19937 random(1);
-    SceneBuilder b = stillLife();
-    const std::vector<ObjectId> ids = b.scene().objects.ids();
-    for (int round = 0; round < 20; ++round) {
+/// Edits, undos, resizes, pauses, regions and channels at random moments; every session is torn down in the middle of its work.
+void survivesRandomHands(int sessions, int acts, unsigned seed) {
+    RandomHand hand(seed);
+    for (int round = 0; round < sessions; ++round) {
         Session session(1 + round % 3);
-        ViewSettings view{120, 90, {}, false, {}, 0};
-        session.publish(view);
-        for (int i = 0; i < 25; ++i) {
-            Object moved = b.scene().objects.at(ids[1 + random() % 2]);
-            moved.transform.translate.x = static_cast<double>(random() % 100) / 50;
-            b.scene().objects.set(ids[1], moved);
-            session.publish(b.scene(), {});
-            if (random() % 3 == 0) {
-                view = {static_cast<int>(random() % 150), 90, {static_cast<double>(random() % 5), View::Standard}, random() % 4 == 0};
-                session.publish(view);
-            }
-            if (random() % 2) std::this_thread::sleep_for(std::chrono::milliseconds(random() % 6));
+        hand.begin(session);
+        for (int i = 0; i < acts; ++i) {
+            hand.act(session);
+            if (hand.random() % 2) std::this_thread::sleep_for(std::chrono::microseconds(hand.random() % 6000));
             if (const SessionFrame* frame = session.take()) {
                 ASSERT_EQ(frame->pixels.size(), static_cast<std::size_t>(frame->width) * static_cast<std::size_t>(frame->height));
                 ASSERT_EQ(frame->nonfiniteSamples, 0u);
             }
         }
-    }  // Each session is torn down in the middle of its work.
+    }
+}
+
+TEST(Session, SurvivesRandomEditsUndosResizesPausesAndQuits) { survivesRandomHands(20, 30, 1); }
+TEST(SessionFull, SurvivesTenThousandRandomEditsUndosResizesPausesAndQuits) {
+    if (!test::fullRun()) GTEST_SKIP() << "asked for by GLINT_FULL=1";
+    survivesRandomHands(200, 50, 2);
 }
 
 }  // namespace
