@@ -116,7 +116,7 @@ ExitCode verifyPicture(const Options& options, const std::atomic<bool>& stop) {
     const auto recipe = recipeOf(picture.value().metadata, options.verify);
     if (!recipe) return fail(recipe.error(), ExitCode::Scene);
     if (!recipe.value().even)
-        return fail({.message = "was cut short: its pixels have different numbers of samples, so it cannot be made again", .file = options.verify.string(),
+        return fail({.message = "was cut short or sampled by its error: its pixels have different numbers of samples, so it cannot be made again", .file = options.verify.string(),
                      .remedy = "render by a number of samples"}, ExitCode::Scene);
     const auto scene = sceneOf(options, recipe.value());
     if (!scene) return fail(scene.error(), scene.error().file == options.verify ? ExitCode::Different : ExitCode::Scene);

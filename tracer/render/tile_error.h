@@ -16,10 +16,10 @@ inline constexpr int kErrorTile = 8;  ///< pixels a side
 [[nodiscard]] double tileError(const Film& film, const PixelRect& tile);
 
 /// What a tile's true error (root mean square over its pixels of mean minus truth, in luminance) stays below in 95 of 100 tiles
-/// is this factor times tileError(). With n pixels whose errors are near to normal, the ratio of the two squares has the F
+/// is this factor times its estimated error. With n pixels whose errors are near to normal and alike, the ratio of the two squares has the F
 /// distribution with n and n degrees of freedom. The root of its 95 % point is taken by Fisher's z and one term of its
 /// Cornish-Fisher series: within 1 % from n = 4 on, 4 % below. 1.23 for a whole tile.
-[[nodiscard]] double errorBoundFactor(int pixels);
+[[nodiscard]] double errorBoundFactor(double pixels);
 
 /// The picture's error: root mean square over its pixels of the standard error of their luminance, over the mean luminance of
 /// the picture. Infinite where no pixel has two samples; 0 for a black picture. With thousands of pixels its own error is
@@ -28,15 +28,20 @@ inline constexpr int kErrorTile = 8;  ///< pixels a side
 
 /// Parts of a picture's error that add up, so that it can be found by many workers.
 struct ErrorSum {
-    double squares = 0, light = 0;
+    double squares = 0, fourths = 0, light = 0;  ///< of the standard errors; of the means
     std::int64_t pixels = 0;
 
     void add(const FilmPixel& pixel);
     void add(const ErrorSum& other);
     [[nodiscard]] double relativeError() const;  ///< pictureError()
+    /// As many pixels with errors alike would tell as much: few where an edge or a caustic makes most of the error. From the fourth
+    /// moment, which is 3 sigma^4 of a normal distribution (Satterthwaite 1946 matches the same two moments).
+    [[nodiscard]] double effectivePixels() const;
 };
 
-/// Bounds of the errors of all tiles: tileError() times errorBoundFactor(), as a share of the mean luminance of the picture.
+/// Bounds of the errors of all tiles: tileError() times errorBoundFactor() of the effective pixels, as a share of the mean luminance of
+/// the picture. What is rare may have been missed by all samples of a tile and seen by those beside: a tile's square counts for no less
+/// than an eighth of the mean of its 3 x 3 neighbours.
 struct TileErrors {
     static constexpr int kTile = kErrorTile;
     int columns = 0;
