@@ -118,14 +118,14 @@ EnvironmentMap::EnvironmentMap(std::shared_ptr<const Image> image, Density densi
     blocks_.resize(height * static_cast<std::size_t>(blocksPerRow_ + 1));
     computeMean();
     const auto build = [&](double threshold) {
-        threshold_ = threshold;
+        computeWeights(threshold);
         for (int y = 0; y < image_->height; ++y) buildBlocks(y);
         buildBands();
     };
     const double mean = luminance(mean_);
     build(density == Density::Compensated ? std::max(0.0, mean) : 0.0);
     const double meanWeight = bands_.back() / (2.0 * image_->width);
-    if (threshold_ > 0 && meanWeight <= kConstantShare * mean) build(0);
+    if (density == Density::Compensated && mean > 0 && meanWeight <= kConstantShare * mean) build(0);
     if (bands_.back() > 0) pdfPerWeight_ = image_->width / (2 * kPi * bands_.back());
 }
 
@@ -137,12 +137,16 @@ Rgb EnvironmentMap::texel(int x, int y) const {
     return {p[0], p[1], p[2]};
 }
 
-double EnvironmentMap::weight(int x, int y) const {
-    const double y709 = luminance(texel(x, y));
-    // Written so that NaN gives 0.
-    return y709 > threshold_
-               ? std::min<double>(y709, std::numeric_limits<float>::max()) - threshold_
-               : 0.0;
+void EnvironmentMap::computeWeights(double threshold) {
+    weights_.resize(image_->rgb.size() / 3);
+    for (int y = 0, i = 0; y < image_->height; ++y)
+        for (int x = 0; x < image_->width; ++x, ++i) {
+            const double y709 = luminance(texel(x, y));
+            // Written so that NaN gives 0.
+            const double above =
+                y709 > threshold ? std::min<double>(y709, std::numeric_limits<float>::max()) - threshold : 0.0;
+            weights_[static_cast<std::size_t>(i)] = static_cast<float>(above);
+        }
 }
 
 void EnvironmentMap::computeMean() {
@@ -192,9 +196,11 @@ void EnvironmentMap::buildBands() {
     const int height = image_->height;
     bands_.assign(1, 0.0);
     bands_.reserve(static_cast<std::size_t>(height) + 2);
+    bandStarts_.clear();
     for (int i = 0; i <= height; ++i) {
         const Band band = bandOf(i, height);
         const BandWeights w = bandWeights(band);
+        bandStarts_.emplace_back(std::sin(band.start), std::cos(band.start));
         bands_.push_back(bands_.back() + w.upper * rowIntegral(band.upper) +
                          w.lower * rowIntegral(band.lower));
     }
@@ -250,7 +256,11 @@ EnvironmentMap::Column EnvironmentMap::sampleColumn(double u, int y0, int y1, do
     }
 
     const int width = image_->width, last = std::min((block + 1) * kBlock, width) - 1;
-    const auto blended = [&](int x) { return (1 - fy) * weight(x, y0) + fy * weight(x, y1); };
+    const float* upperWeights = weights_.data() + static_cast<std::size_t>(y0) * static_cast<std::size_t>(width);
+    const float* lowerWeights = weights_.data() + static_cast<std::size_t>(y1) * static_cast<std::size_t>(width);
+    const auto blended = [&](int x) {
+        return (1 - fy) * static_cast<double>(upperWeights[x]) + fy * static_cast<double>(lowerWeights[x]);
+    };
     double sum = before(block), left = blended(block * kBlock);
     for (int x = block * kBlock;; ++x) {
         const int next = x + 1 < width ? x + 1 : 0;
@@ -273,14 +283,14 @@ EnvironmentSample EnvironmentMap::sample(const Vec2& u) const {
     const Band band = bandOf(index, image_->height);
     const double mass = *after - *(after - 1),
                  share = std::clamp((target - *(after - 1)) / mass, 0.0, 1.0);
-    const double sinStart = std::sin(band.start), cosStart = std::cos(band.start);
-    const double fy = invertBand(band, sinStart, cosStart, rowIntegral(band.upper),
+    const DVec2 start = bandStarts_[static_cast<std::size_t>(index)];
+    const double fy = invertBand(band, start.x, start.y, rowIntegral(band.upper),
                                  rowIntegral(band.lower), share, mass);
     const Column column = sampleColumn(static_cast<double>(u.x), band.upper, band.lower, fy);
 
     EnvironmentSample out;
     const double turn = (column.x0 + 0.5 + column.fx) / image_->width - 0.5;
-    const SineMoments theta = sineMoments(sinStart, cosStart, fy * band.width);
+    const SineMoments theta = sineMoments(start.x, start.y, fy * band.width);
     const DVec2 phi = cosSinTurn(turn);
     out.direction = glm::normalize(DVec3(theta.sinEnd * phi.y, theta.cosEnd, -theta.sinEnd * phi.x));
     out.pdf = column.weight * pdfPerWeight_;

@@ -80,7 +80,11 @@ class EnvironmentMap {
     [[nodiscard]] Place placeOf(const DVec3& direction) const;
     [[nodiscard]] Rgb texel(int x, int y) const;
     [[nodiscard]] Rgb radianceAt(const Place& place) const;
-    [[nodiscard]] double weight(int x, int y) const;
+    /// What the density is in proportion to at a texel's centre.
+    [[nodiscard]] double weight(int x, int y) const {
+        return static_cast<double>(weights_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image_->width) +
+                                            static_cast<std::size_t>(x)]);
+    }
     [[nodiscard]] Column sampleColumn(double u, int y0, int y1, double fy) const;
 
     [[nodiscard]] std::size_t rowStart(int y) const {
@@ -91,13 +95,16 @@ class EnvironmentMap {
     }
 
     void computeMean();
+    void computeWeights(double threshold);
     void buildBlocks(int y);
     void buildBands();
 
     std::shared_ptr<const Image> image_;
     Rgb mean_{0.0f};
     double brightSolidAngle_ = 4 * kPi;
-    double threshold_ = 0;  ///< luminance from which the density counts
+    /// height x width: luminance above the density's threshold. A third of the picture's memory, and a walk along a row
+    /// reads a twelfth of what the texels themselves would take.
+    std::vector<float> weights_;
     /// height x (blocks_ + 1): integral of a texel row's weights, linear between centres, from
     /// column 0's centre to the start of each block of columns, in texels. In double: one texel of
     /// 1e9 must not swallow its neighbours.
@@ -106,6 +113,7 @@ class EnvironmentMap {
     /// Integral of the weights times sin(theta) d theta from the top to the start of each band; a
     /// band lies between the centres of two texel rows, or between a pole and the row beside it.
     std::vector<double> bands_;
+    std::vector<DVec2> bandStarts_;  ///< sine and cosine of theta where each band starts
     double pdfPerWeight_ = 0;
 };
 
