@@ -114,9 +114,13 @@ class ClassicTracer {
         const Ray from{point.position, point.frame.n, point.shape, !point.outside};
         for (std::uint32_t i = 0; i < scene_.lights.lights.size(); ++i) {
             if (i == scene_.lights.environmentLight) continue;
-            const SampleBlock u = sampler_.block(sobol::mix(branch.key) ^ sampleBlock(SampleUse::Light, 0, 0, i));
+            DVec2 u(0.0);
+            if (!scene_.lights.lights[i].isDelta()) {
+                const SampleBlock block = sampler_.block(sobol::mix(branch.key) ^ sampleBlock(SampleUse::Light, 0, 0, i));
+                u = {block.x, block.y};
+            }
             ++state_.work[Work::LightSamples];
-            const LightSample s = sampleLight(scene_.lights, scene_.shapes, i, from, branch.media, {u.x, u.y});
+            const LightSample s = sampleLight(scene_.lights, scene_.shapes, i, from, branch.media, u);
             if (!(s.pdf > 0) || isBlack(s.radiance)) continue;
             const Vec3 wi = toFloat(point.frame.toLocal(s.wi));
             const BsdfSample f = evalSmooth<F>(material, point.wo, wi, point.eta, state_.work);
@@ -150,6 +154,7 @@ class ClassicTracer {
         float chance = 1;
         if (next.importance < kDim) {
             chance = next.importance / kDim;
+            state_.tookChance = true;
             if (sampler_.block(sobol::mix(next.key) ^ sampleBlock(SampleUse::Bsdf, 0, 0)).x >= chance) return;
             next.weight /= chance;
             next.importance = kDim;
