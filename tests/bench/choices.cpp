@@ -27,22 +27,20 @@ struct ChoicesOptions {
     std::string json, cache = usualCacheFolder().string();
 };
 
-template <int kPower>
-struct Power {
-    static double share(double a, double b) {
-        const double r = b / a;
-        return 1 / (1 + (kPower == 2 ? r * r : r * r * r * r));
-    }
+struct PowerHeuristic {
+    static double share(double a, double b) { return 1 / (1 + (b / a) * (b / a)); }
     static double lightWeight(double light, double bsdf) { return share(light, bsdf); }
     static double bsdfWeight(double bsdf, double light) { return share(bsdf, light); }
 };
-struct Balance {
-    static double lightWeight(double light, double bsdf) { return light / (light + bsdf); }
-    static double bsdfWeight(double bsdf, double light) { return bsdf / (light + bsdf); }
-};
-struct Maximum {
-    static double lightWeight(double light, double bsdf) { return light >= bsdf ? 1 : 0; }
-    static double bsdfWeight(double bsdf, double light) { return bsdf > light ? 1 : 0; }
+/// Balance between densities of one magnitude; the much smaller one counts for nothing (Veach 1997, sec. 9.2.3).
+template <int kPercent>
+struct Cutoff {
+    static double share(double a, double b) {
+        constexpr double kLeast = 0.01 * kPercent;
+        return a < kLeast * b ? 0 : b < kLeast * a ? 1 : a / (a + b);
+    }
+    static double lightWeight(double light, double bsdf) { return share(light, bsdf); }
+    static double bsdfWeight(double bsdf, double light) { return share(bsdf, light); }
 };
 struct NoSplits : UsualEffort {
     static constexpr bool kSplits = false;
@@ -59,7 +57,15 @@ struct Roulette : UsualEffort {
 struct Way {
     std::string_view choice, name;
     KernelFunction run;
+    void (*prepare)(RenderScene&) = nullptr;
 };
+
+/// Lights are chosen by what they emit, wherever they are.
+void chooseByPower(RenderScene& scene) {
+    std::vector<LightBounds> bounds;
+    for (const CompiledLight& light : scene.lights.lights) bounds.push_back({DVec3(0.0), kInfinity, light.power});
+    scene.lights.choice = LightChoice(std::move(bounds));
+}
 
 template <class Heuristic, class Effort = UsualEffort>
 Rgb trace(KernelState& state, int x, int y, std::uint32_t sample) {
@@ -70,10 +76,11 @@ Rgb trace(KernelState& state, int x, int y, std::uint32_t sample) {
 /// The first one is what Glint does.
 constexpr std::array kWays = {
     Way{"-", "as built", trace<UsualHeuristic>},
-    Way{"weights", "balance", trace<Balance>},
-    Way{"weights", "power 2", trace<Power<2>>},
-    Way{"weights", "power 4", trace<Power<4>>},
-    Way{"weights", "maximum", trace<Maximum>},
+    Way{"weights", "balance", trace<BalanceHeuristic>},
+    Way{"weights", "power 2", trace<PowerHeuristic>},
+    Way{"weights", "cutoff 0.5", trace<Cutoff<50>>},
+    Way{"weights", "cutoff 0.25", trace<Cutoff<25>>},
+    Way{"lights", "one by power", trace<UsualHeuristic>, chooseByPower},
     Way{"splitting", "none", trace<UsualHeuristic, NoSplits>},
     Way{"caustics", "no connections", trace<UsualHeuristic, NoConnections>},
     Way{"roulette", "below 1", trace<UsualHeuristic, Roulette<100>>},
@@ -92,6 +99,7 @@ struct Figures {
 
 void measure(const Way& way, RenderScene scene, int spp, int seed, const Reference& reference, Figures& out) {
     scene.settings.seed = seed;
+    if (way.prepare) way.prepare(scene);
     const int width = scene.film.width, height = scene.film.height;
     Image image{width, height, std::vector<float>(reference.mean.rgb.size())};
     KernelState state{scene, {}, {}, false};
@@ -168,7 +176,7 @@ Command choicesCommand(CLI::App& root) {
     app->add_option("--width", options->width, "Pixels across; the shape stays")->check(CLI::Range(4, 8192))->capture_default_str();
     app->add_option("--spp", options->spp, "Samples a pixel, a power of two")->check(CLI::Range(1, 65536))->capture_default_str();
     app->add_option("--runs", options->runs, "Renders of each way, in turn, each with its own seed")->check(CLI::Range(2, 1000))->capture_default_str();
-    app->add_option("--only", options->only, "Only this choice: weights, splitting, caustics, roulette");
+    app->add_option("--only", options->only, "Only this choice: weights, lights, splitting, caustics, roulette");
     app->add_option("--cache", options->cache, "Folder where references are kept")->capture_default_str();
     app->add_option("--json", options->json, "Write the figures to this file as JSON");
     return {app, [options] { return runChoices(*options); }};

@@ -8,6 +8,7 @@
 #include "tests/bench/scale.h"
 #include "tests/bench/scenes.h"
 #include "tests/bench/skip.h"
+#include "tests/bench/startup.h"
 #include "tests/bench/viewport.h"
 #include "tests/bench/peers/peers.h"
 
@@ -15,7 +16,7 @@ int main(int argc, char** argv) {
     using namespace glint::bench;
     CLI::App app("Measures Glint on this machine. Compare ratios within one run, never times of two.", "glint-bench");
     app.require_subcommand(1);
-    const std::vector<Command> commands = {errorCommand(app), raysCommand(app), skipCommand(app), scaleCommand(app), scenesCommand(app), peersCommand(app), filterCommand(app), choicesCommand(app), viewportCommand(app)};
+    const std::vector<Command> commands = {errorCommand(app), raysCommand(app), skipCommand(app), scaleCommand(app), scenesCommand(app), peersCommand(app), filterCommand(app), choicesCommand(app), startupCommand(app), viewportCommand(app)};
     CLI11_PARSE(app, argc, argv);
     std::setvbuf(stdout, nullptr, _IOLBF, 0);  // Long measurements are watched, also through a pipe.
     for (const Command& command : commands)

@@ -87,7 +87,7 @@ class Compiler {
         addShapes();
         addLights();
         addEnvironment();
-        out_->lights.finish();
+        out_->lights.finish(out_->shapes);
         out_->casters = makeCasters(out_->shapes, out_->materials, out_->lights);
         ++compiled_.stats.lightTablesBuilt;
         out_->film = scene_.film;

@@ -84,6 +84,22 @@ LightSample samplePoint(const CompiledLight& light, const DVec3& from) {
     return {wi, distance, irradiance, 1.0};
 }
 
+/// Where a light is, and about what irradiance it gives at 1 m, or at any distance if it is infinitely far.
+LightBounds boundsOf(const CompiledLight& light, const CompiledEnvironment& environment, const std::vector<ShapeInstance>& shapes) {
+    const double emission = static_cast<double>(luminance(light.emission));
+    switch (light.kind) {
+        case LightKind::Point:
+        case LightKind::Spot: return {light.position, 0, emission};
+        case LightKind::Sun: return {DVec3(0.0), kInfinity, light.isDelta() ? emission : emission * kPi * light.sin2Angle};
+        case LightKind::Environment: return {DVec3(0.0), kInfinity, kPi * static_cast<double>(luminance(environment.scale * environment.map->meanRadiance()))};
+        case LightKind::Area: break;
+    }
+    const ShapeInstance& shape = shapes[light.shape];
+    const DMat3& m = shape.worldFromLocal;
+    const double ball = lampRadius(shape), reach = std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+    return {shape.center, ball > 0 ? ball : reach, light.power / 4};
+}
+
 }  // namespace
 
 double ballRadius(const ShapeInstance& shape) {
@@ -96,23 +112,11 @@ double ballRadius(const ShapeInstance& shape) {
     return isBall ? std::sqrt(r2) : 0;
 }
 
-void LightTable::finish() {
-    double total = 0;
-    for (const CompiledLight& light : lights) total += light.power;
-    cumulative.clear();
-    double sum = 0;
-    for (const CompiledLight& light : lights) {
-        sum += total > 0 ? light.power / total : 1.0 / static_cast<double>(lights.size());
-        cumulative.push_back(sum);
-    }
-    if (!cumulative.empty()) cumulative.back() = 1;
-}
-
-std::uint32_t LightTable::pick(double u, double& probability) const {
-    const auto it = std::upper_bound(cumulative.begin(), cumulative.end() - 1, u);
-    const auto index = static_cast<std::uint32_t>(it - cumulative.begin());
-    probability = pickProbability(index);
-    return index;
+void LightTable::finish(const std::vector<ShapeInstance>& shapes) {
+    std::vector<LightBounds> bounds;
+    bounds.reserve(lights.size());
+    for (const CompiledLight& light : lights) bounds.push_back(boundsOf(light, environment, shapes));
+    choice = LightChoice(std::move(bounds));
 }
 
 LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index,

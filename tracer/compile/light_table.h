@@ -6,6 +6,7 @@
 
 #include "tracer/scene/ids.h"
 #include "tracer/color/rgb.h"
+#include "tracer/compile/light_choice.h"
 #include "tracer/compile/shape_lists.h"
 #include "tracer/lights/environment_map.h"
 
@@ -24,7 +25,7 @@ struct CompiledLight {
     double sin2Angle = 0;       ///< Sun: sin^2 of half the disc's angle; 0: a single direction
     std::uint32_t shape = kNoShape;  ///< Area
     bool twoSided = false;      ///< Area
-    double power = 0;           ///< for choosing among lights; W up to a common factor
+    double power = 0;           ///< W up to a common factor
     std::uint8_t group = 0;     ///< whose sum its light goes to, see scene/light_groups.h
     LightId id;                 ///< of the scene's entry, if it is one
 
@@ -70,20 +71,15 @@ struct CompiledEnvironment {
 
 struct LightTable {
     std::vector<CompiledLight> lights;
-    std::vector<double> cumulative;  ///< of power, normalised; same order as `lights`
+    LightChoice choice;  ///< among `lights`
     CompiledEnvironment environment;
     std::uint32_t environmentLight = ~0u;    ///< index of the environment in `lights`; ~0: not sampled (constant or black)
     std::vector<std::uint32_t> sunDiscs;     ///< indices of suns with a disc, which rays into the sky can hit
 
-    /// Fills `cumulative`. Call when `lights` is complete.
-    void finish();
+    /// Makes `choice`. Call when `lights` is complete.
+    void finish(const std::vector<ShapeInstance>& shapes);
 
     [[nodiscard]] bool empty() const { return lights.empty(); }
-    /// A light for u in [0, 1), with probability in proportion to its power.
-    [[nodiscard]] std::uint32_t pick(double u, double& probability) const;
-    [[nodiscard]] double pickProbability(std::uint32_t light) const {
-        return cumulative[light] - (light ? cumulative[light - 1] : 0.0);
-    }
 };
 
 /// Radius of a shape that is a ball in render space; 0 for any other.

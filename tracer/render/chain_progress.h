@@ -14,7 +14,7 @@ struct Passage {
 
 /// What roulette on connections goes by: the throughput at a surface times what it sends on.
 [[nodiscard]] inline float connectionDrive(const Rgb& throughput, const CompiledMaterial& material) {
-    return 4 * maxComponent(throughput) * material.smoothAlbedo;
+    return 2 * maxComponent(throughput) * material.smoothAlbedo;
 }
 
 /// Probability of trying a passage over `caster` from `from` to a light of this solid angle. Measured on rooms and floors

@@ -49,7 +49,8 @@ class Connections {
             const Caster& caster = scene_.casters.casters[i];
             if (vertex_.point.shape == caster.shape) continue;
             constexpr double kGolden = 0.6180339887498949;
-            roulette_ = std::fmod(static_cast<double>(turn) + kGolden * i, 1.0);
+            const double place = static_cast<double>(turn) + kGolden * i;
+            roulette_ = place - std::floor(place);
             if (roulette_ < connectionChance(caster, vertex_.point.position, caster.refracts ? Passage::kThrough : Passage::kReflection, drive_, 0)) tryCaster(caster, i);
         }
     }

@@ -41,6 +41,8 @@ struct SurfacePoint {
     bool hidden = false;  ///< the boundary of a dielectric inside one of higher priority: there is nothing to see
 
     [[nodiscard]] const ShapeInstance& instance(const RenderScene& scene) const { return scene.shapes[shape]; }
+    /// The normal on wo's side.
+    [[nodiscard]] DVec3 facingNormal() const { return outside ? frame.n : -frame.n; }
     /// A ray that starts here in the local direction `wi`.
     [[nodiscard]] Ray ray(const Vec3& wi) const { return {position, glm::normalize(frame.toWorld(wi)), shape, wi.z < 0}; }
 };

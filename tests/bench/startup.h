@@ -1,0 +1,10 @@
+// glint-bench startup: how long glint-render takes from its start to the end of a small picture.
+#pragma once
+
+#include "tests/bench/command.h"
+
+namespace glint::bench {
+
+[[nodiscard]] Command startupCommand(CLI::App& root);
+
+}  // namespace glint::bench
