@@ -10,7 +10,8 @@
 namespace glint::test {
 namespace {
 
-constexpr DirectionGrid kGrid{24, 16};
+/// 80 x 160 cells a sheet in the full form.
+const DirectionGrid kGrid = fullCounts() ? DirectionGrid{80, 160} : DirectionGrid{24, 16};
 constexpr double kSuiteAlpha = 1e-3, kTwinLevel = 1e-4;
 constexpr unsigned kSeed = 20240611;
 
@@ -50,8 +51,8 @@ TEST(BsdfSampling, SamplesMatchPdf) {
             const std::vector<double> counts = histogram(c, wo, samples, uniforms);
             // Total reflection begins with a square root in the rows, Phong's horizon is steep in
             // the columns.
-            const DirectionGrid rule =
-                c.aroundMirror ? DirectionGrid{24, 96} : DirectionGrid{c.refracts ? 16 : 6, 6};
+            const DirectionGrid quick = c.aroundMirror ? DirectionGrid{24, 96} : DirectionGrid{c.refracts ? 16 : 6, 6};
+            const DirectionGrid rule = !fullCounts() ? quick : c.aroundMirror ? DirectionGrid{8, 12} : DirectionGrid{4, 2};
             std::vector<double> expected = integrateCells(c, kGrid, wo, rule, [&](const Vec3& wi) {
                 return static_cast<double>(pdfLeaf(c, wo, wi)) * samples;
             });
@@ -132,7 +133,7 @@ TEST(BsdfSampling, CornerUniformsGiveFiniteSamplesOrNone) {
     std::printf("largest weight f cos / pdf %.3f: %s\n", largest, where.c_str());
     // The largest come from multiple scattering of narrow lobes at grazing angles, which is rare
     // and faint.
-    EXPECT_LE(largest, 16);
+    EXPECT_LE(largest, 8);
 }
 
 TEST(BsdfSampling, PdfIsPositiveWhereverFIs) {

@@ -1,7 +1,10 @@
 // The GGX distribution: normalisation, accuracy, and the limit of a perfect mirror.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "tests/support/bsdf_cases.h"
+#include "tracer/materials/builder.h"
 #include "tracer/math/quadrature.h"
 
 namespace glint::test {
@@ -100,22 +103,51 @@ TEST(Microfacet, NarrowestLobesAgreeWithPolishedLeaves) {
         EXPECT_NEAR(seenThrough(MetalBsdf(color, kMinAlpha), wo, 1) / mirror, 1, 1e-3) << theta;
         for (const float eta : {1 / 1.5f, 1.5f}) {
             const double smooth = seenThroughDelta(GlassBsdf{}, wo, eta);
-            EXPECT_NEAR(seenThrough(RoughGlassBsdf(kMinAlpha), wo, eta) / smooth, 1, 1e-3)
+            EXPECT_NEAR(seenThrough(RoughGlassBsdf(kMinAlpha, std::array{eta}), wo, eta) / smooth, 1, 1e-3)
                 << theta << " " << eta;
         }
     }
 }
 
 TEST(Microfacet, RoughGlassBetweenEqualMediaIsNotThere) {
-    const RoughGlassBsdf glass(0.25f);
+    const RoughGlassBsdf glass(0.25f, std::array{1.0f, 1.5f});
     DeltaBranch found[kMaxBranches];
     const Vec3 wo = viewDirection(50, 30);
     ASSERT_EQ(glass.branches(wo, 1, found), 1);
     EXPECT_NEAR(glm::length(found[0].wi + wo), 0, 1e-6);
     EXPECT_NEAR(found[0].weight.x, 1, 1e-6);
+    EXPECT_TRUE(found[0].straight);
     EXPECT_EQ(glass.sample(wo, {0.3f, 0.4f, 0.5f}, 1).pdf, 0);
     EXPECT_EQ(glass.eval(wo, -wo, 1).x, 0);
     EXPECT_EQ(glass.branches(wo, 1.5f, found), 0);
+}
+
+TEST(Glossy, CoatOfTheIndexAroundIsNotThere) {
+    const Vec3 wo = viewDirection(50, 30), wi = viewDirection(20, 200);
+    const std::array indices{1.0f, 1.33f};
+    const PolishedGlossyBsdf polished(Rgb(0.6f), 1.33f, indices);
+    DeltaBranch found[kMaxBranches];
+    EXPECT_EQ(polished.branches(wo, 1.33f, found), 0);
+    EXPECT_EQ(polished.branches(wo, 1, found), 1);
+    EXPECT_NEAR(polished.eval(wo, wi, 1.33f).x, 0.6 / kPi, 1e-6);
+    const GlossyBsdf rough(Rgb(0.6f), 1.33f, 0.1f, indices);
+    EXPECT_NEAR(rough.eval(wo, wi, 1.33f).x, 0.6 / kPi, 1e-4);
+    EXPECT_LT(rough.evalBase(viewDirection(75, 30), wi, 1).x, 0.55 / kPi);
+    EXPECT_NEAR(rough.evalBase(viewDirection(75, 30), wi, 1.33f).x, 0.6 / kPi, 1e-4);
+}
+
+TEST(Mix, OfMixesIsTakenApartOnce) {
+    Scene scene;
+    const MaterialId clay = scene.materials.add({"clay", Diffuse{}}), mirror = scene.materials.add({"mirror", Mirror{}});
+    MaterialId mix = scene.materials.add({"mix 0", Mix{{clay, false}, {mirror, false}, 0.25}});
+    // Two to the power of 60 ways to the same two materials.
+    for (int i = 1; i <= 60; ++i) mix = scene.materials.add({"mix " + std::to_string(i), Mix{{mix, false}, {mix, false}, 0.5}});
+    mix = scene.materials.add({"veil", Mix{{mix, false}, {{}, true}, 0.2}});
+    const MaterialLeaves leaves = BsdfBuilder(scene).build(mix);
+    ASSERT_EQ(leaves.leaves.size(), 3u);
+    float sum = 0;
+    for (const WeightedLeaf& leaf : leaves.leaves) sum += leaf.weight.x;
+    EXPECT_NEAR(sum, 1, 1e-5);
 }
 
 }  // namespace

@@ -149,6 +149,20 @@ TEST(Strategies, AllGiveTheSameMeanForAMixtureUnderManyLights) {  // A15
     expectOneMean(scene, meanWith<BalanceHeuristic>(scene));
 }
 
+TEST(Strategies, AllGiveTheSameMeanUnderALampThatIsPartlyClear) {  // A15
+    SceneBuilder b = floorOf(Diffuse{grey(0.6)});
+    const MaterialId clay = b.material(Diffuse{grey(0.3)});
+    const ObjectId id = b.object(Torus{1, 0.4}, b.material(Mix{{clay, false}, {{}, true}, 0.7}), {0.5, 2, 0}, grey(3));
+    Object lamp = b.scene().objects.at(id);
+    lamp.transform.rotateDegrees = {70, 0, 20};
+    lamp.twoSided = true;  // Up to four faces of it shine in one direction.
+    b.scene().objects.set(id, lamp);
+    const auto scene = b.compile();
+    const test::Estimate balance = meanWith<BalanceHeuristic>(scene), alone = meanWith<BsdfOnly>(scene);
+    EXPECT_LE(std::abs(balance.mean - alone.mean), 4 * std::hypot(balance.sigma, alone.sigma));
+    EXPECT_LE(std::abs(balance.mean - alone.mean), 1e-2 * alone.mean);
+}
+
 // T23: what a path may cost changes no mean.
 struct NoSplitting : UsualEffort {
     static constexpr bool kSplits = false;
@@ -196,18 +210,38 @@ TEST(Effort, OfSplittingAndRouletteChangesNoMean) {  // T23
     EXPECT_GT(deviation(pixelMeans<BalanceHeuristic>(b.compile(), samples)), 4);
 }
 
-TEST(Strategies, AllGiveTheSameMeanUnderALampThatIsPartlyClear) {  // A15
-    SceneBuilder b = floorOf(Diffuse{grey(0.6)});
-    const MaterialId clay = b.material(Diffuse{grey(0.3)});
-    const ObjectId id = b.object(Torus{1, 0.4}, b.material(Mix{{clay, false}, {{}, true}, 0.7}), {0.5, 2, 0}, grey(3));
-    Object lamp = b.scene().objects.at(id);
-    lamp.transform.rotateDegrees = {70, 0, 20};
-    lamp.twoSided = true;  // Up to four faces of it shine in one direction.
-    b.scene().objects.set(id, lamp);
-    const auto scene = b.compile();
-    const test::Estimate balance = meanWith<BalanceHeuristic>(scene), alone = meanWith<BsdfOnly>(scene);
-    EXPECT_LE(std::abs(balance.mean - alone.mean), 4 * std::hypot(balance.sigma, alone.sigma));
-    EXPECT_LE(std::abs(balance.mean - alone.mean), 1e-2 * alone.mean);
+// T18: at the smallest roughness that is not polished, pictures are those of the polished material.
+double relativeSquaredError(const Image& image, const Image& reference) {
+    const double mean = test::estimateMean(reference).mean;
+    double sum = 0;
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+        const double r = static_cast<double>(reference.rgb[i]), d = static_cast<double>(image.rgb[i]) - r;
+        sum += d * d / (r * r + 1e-2 * mean * mean);
+    }
+    return sum / static_cast<double>(image.rgb.size());
+}
+
+TEST(NarrowestLobes, ShowThePictureOfThePolishedMaterial) {
+    const test::TempFolder folder;
+    Image sky{64, 32, {}};
+    for (int i = 0; i < 64 * 32; ++i)
+        for (int c = 0; c < 3; ++c) sky.rgb.push_back(static_cast<float>(2 + 0.8 * std::sin(8 * kPi * (i % 64) / 64) * std::cos(4 * kPi * (i / 64) / 32)));
+    const auto file = folder / "sky.exr";
+    ASSERT_TRUE(saveLinear(file, sky, {}));
+    const auto picture = [&](const AllMaterials::Variant& material) {
+        SceneBuilder b;
+        b.object(Sphere{1}, b.scene().materials.add({"Ball", material}));
+        b.scene().environment.image = file.string();
+        b.camera({0, 0.5, 4}, {0, 0, 0}, 35);
+        b.film(128, 128, 64);
+        b.scene().render.spp = 64;
+        return b.render().beauty;
+    };
+    constexpr double kThreshold = 0.01;  // its square is kMinAlpha
+    const Color gold{0.9, 0.6, 0.2};
+    EXPECT_LE(relativeSquaredError(picture(Metal{gold, kThreshold * 1.001}), picture(Metal{gold, 0})), 1e-3);
+    EXPECT_LE(relativeSquaredError(picture(Glass{1.5, Color{}, kThreshold * 1.001}), picture(Glass{})), 1e-3);
+    EXPECT_GT(relativeSquaredError(picture(Glass{1.7, Color{}, kThreshold * 1.001}), picture(Glass{})), 1e-3);  // the wrong twin
 }
 
 }  // namespace

@@ -136,6 +136,28 @@ TEST(WhiteFurnace, HidesEverythingThatLosesNothing) {  // A5
     test::expectMean(b.render().beauty, 1, "white furnace");
 }
 
+TEST(WhiteFurnace, HidesRoughGlassAndCoats) {  // A5
+    SceneBuilder b;
+    b.object(Sphere{1}, b.material(Glass{1.5, grey(0), 0.6}), {-2.2, 0, 0});
+    b.object(Cone{0.8, 1.4}, b.material(Glass{2.4, grey(0), 0.3}), {0, 1.3, 0});
+    b.object(Box{{1.2, 1.2, 1.2}}, b.material(Glossy{grey(1), 1.5, 0.5}), {0, -1, 0});
+    b.object(Cylinder{0.6, 1.5}, b.material(Metal{grey(1), 0.8}), {2.2, 0, 0});
+    b.scene().environment.color = grey(1);
+    b.camera({0, 0, 8}, {0, 0, 0}, 40);
+    b.scene().render.maxDepth = 100000;
+    b.film(48, 48, 64);
+    const test::Estimate found = test::estimateMean(b.render().beauty);
+    EXPECT_NEAR(found.mean, 1, 2e-3 + 4 * found.sigma);
+    EXPECT_LE(found.sigma, 1e-3);
+}
+
+/// A1 in the upper part of a cone that a disk divides.
+TEST(ClosedRoom, OfAConeAndADiskIsAFurnace) {
+    SceneBuilder b = insideOf(Cone{1, 2}, 0.5, 0.8, {0.1, 0.3, 0}, {0.3, -0.1, 0.2});
+    b.object(Disk{0.5}, b.scene().objects.at(b.scene().objects.ids().front()).material, {0, 0, 0}, grey(0.8));
+    test::expectMean(b.render().beauty, 1.6, "cone over disk");
+}
+
 TEST(ConvexDiffuse, InConstantLightIsAlbedoWithoutNoise) {  // A6
     SceneBuilder b;
     b.object(Sphere{1}, b.material(Diffuse{grey(0.37)}));

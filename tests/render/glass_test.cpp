@@ -232,5 +232,46 @@ TEST(Refraction, BeyondTheCriticalAngleReflectsAll) {
     }
 }
 
+/// A floor lit by a lamp 2 m above, with `between` in the light's way, all of it in `around`.
+double floorUnderLamp(const Shape& between, const Glass& what, const Glass* around) {
+    SceneBuilder b;
+    if (around) b.object(Sphere{50}, b.material(*around));
+    b.object(Plane{}, b.material(Diffuse{grey(0.5)}));
+    b.object(between, b.material(what), {0, 1.5, 0});
+    b.pointLight({0, 2, 0}, grey(8));
+    b.camera({0, 0.5, 0}, {0, 0, 0}, 0.001);
+    b.film(4, 4, 4);
+    b.scene().render.maxDepth = 3;
+    return test::estimateMean(b.render().beauty).mean;
+}
+
+TEST(ShadowRays, PassWhatDoesNotBendThem) {
+    const double open = 0.5 / kPi * 8 / 4;
+    // A haze: absorption without a boundary. Real glass in its place casts a full shadow.
+    EXPECT_NEAR(floorUnderLamp(Box{{1, 0.4, 1}}, Glass{1.0, grey(0.7)}, nullptr), open * std::exp(-0.7 * 0.4), 1e-5);
+    EXPECT_EQ(floorUnderLamp(Box{{1, 0.4, 1}}, Glass{1.5, grey(0.7)}, nullptr), 0);
+    // A box of glass that the water around has priority over is not there.
+    Glass water{1.33, grey(0.4)};
+    water.priority = 1;
+    const double inWater = open * std::exp(-0.4 * 2.5);
+    EXPECT_NEAR(floorUnderLamp(Box{{1, 0.4, 1}}, Glass{1.5, grey(0.7)}, &water), inWater, 1e-5);
+    water.priority = -1;
+    EXPECT_EQ(floorUnderLamp(Box{{1, 0.4, 1}}, Glass{1.5, grey(0.7)}, &water), 0);
+}
+
+TEST(CameraInGlass, IsFoundForEachRayOfAnOrthographicCamera) {
+    SceneBuilder b;
+    b.object(Box{{4, 4, 20}}, b.material(Glass{1.0, grey(0.5)}), {2, 0, 0});  // The half x > 0.
+    b.object(Sphere{1}, {}, {0, 50, -100});                                  // Something opaque far away.
+    b.scene().environment.color = grey(2);
+    b.camera({0, 0, 0}, {0, 0, -1}, 40);
+    b.scene().camera.projection = Projection::Orthographic;
+    b.scene().camera.orthoHeight = 2;
+    b.film(8, 8, 4);
+    const Image image = b.render().beauty;
+    EXPECT_NEAR(test::pixelAt(image, 1, 1).x, 2, 1e-5);
+    EXPECT_NEAR(test::pixelAt(image, 6, 1).x, 2 * std::exp(-0.5 * 10), 1e-5);
+}
+
 }  // namespace
 }  // namespace glint

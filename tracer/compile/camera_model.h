@@ -25,6 +25,7 @@ class CameraModel {
         perPixelX_ = right * (2 * halfHeight * aspect / width);
         perPixelY_ = -up * (2 * halfHeight / height);
         corner_ = right * (-halfHeight * aspect) + up * halfHeight;
+        halfFilm_ = halfHeight * (aspect * glm::abs(right) + glm::abs(up));
         lensX_ = right * camera.apertureRadius;
         lensY_ = up * camera.apertureRadius;
         hasLens_ = camera.apertureRadius > 0;
@@ -44,6 +45,13 @@ class CameraModel {
         return {middle.origin + shift, glm::normalize(middle.direction - shift / focus_)};
     }
 
+    /// Half the box about position() in which rays start, for film positions up to `margin` pixels outside the film.
+    [[nodiscard]] DVec3 reach(double margin) const {
+        DVec3 out = glm::abs(lensX_) + glm::abs(lensY_);
+        if (orthographic_) out += halfFilm_ + margin * (glm::abs(perPixelX_) + glm::abs(perPixelY_));
+        return out;
+    }
+
     [[nodiscard]] const DVec3& position() const { return position_; }
     [[nodiscard]] const DVec3& forward() const { return forward_; }
     [[nodiscard]] bool hasLens() const { return hasLens_; }
@@ -54,7 +62,7 @@ class CameraModel {
         return orthographic_ ? Ray{position_ + offset, forward_} : Ray{position_, forward_ + offset};
     }
 
-    DVec3 position_{0.0}, forward_{0, 0, -1}, corner_{0.0}, perPixelX_{0.0}, perPixelY_{0.0}, lensX_{0.0}, lensY_{0.0};
+    DVec3 position_{0.0}, forward_{0, 0, -1}, corner_{0.0}, halfFilm_{0.0}, perPixelX_{0.0}, perPixelY_{0.0}, lensX_{0.0}, lensY_{0.0};
     double focus_ = 1;
     bool orthographic_ = false, hasLens_ = false;
 };

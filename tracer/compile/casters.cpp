@@ -35,23 +35,14 @@ Deltas deltasOf(const CompiledMaterial& material) {
     return out;
 }
 
-/// Half the size of the box around a shape.
-DVec3 halfSize(const ShapeInstance& shape) {
-    // All canonical shapes with an inside fill [-1, 1]^3 or less of local space, but for the torus.
-    double scale = 1;
-    if (const auto* torus = std::get_if<CanonicalTorus>(&shape.shape)) scale = 1 + torus->ratio;
-    const DMat3& m = shape.worldFromLocal;
-    return scale * (glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]));
-}
-
 /// Another dielectric reaches into this one. What only touches shares nothing.
 bool isShared(const std::vector<ShapeInstance>& shapes, std::uint32_t one) {
     constexpr double kTouch = 1e-6;
-    const DVec3 half = halfSize(shapes[one]);
+    const DVec3 half = shapes[one].halfSize();
     for (std::uint32_t i = 0; i < shapes.size(); ++i) {
         if (i == one || !shapes[i].dielectric) continue;
         if (std::holds_alternative<CanonicalPlane>(shapes[i].shape)) return true;
-        const DVec3 apart = glm::abs(shapes[i].center - shapes[one].center) - halfSize(shapes[i]);
+        const DVec3 apart = glm::abs(shapes[i].center - shapes[one].center) - shapes[i].halfSize();
         if (maxComponent(apart - (1 - kTouch) * half) < 0) return true;
     }
     return false;

@@ -1,8 +1,10 @@
 #include "tracer/compile/compiler.h"
 
+#include <algorithm>
 #include <bit>
 #include <optional>
 
+#include "tracer/compile/media_contacts.h"
 #include "tracer/compile/render_scene.h"
 #include "tracer/lights/sky.h"
 #include "tracer/scene/light_groups.h"
@@ -97,6 +99,7 @@ class Compiler {
         out_->lists = ShapeLists(out_->shapes);
         ++compiled_.stats.shapeListsBuilt;
         findCameraMedia();
+        findPassableGlass();
         findFeatures();
         warnOfSettings();
         compiled_.scene = std::move(out_);
@@ -327,13 +330,37 @@ class Compiler {
         return kPi * (radius2 > 0 ? radius2 : 1.0);
     }
 
+    /// From the largest to the smallest: of nested media the inner one is entered last.
     void findCameraMedia() {
-        for (std::size_t i = 0; i < out_->shapes.size(); ++i) {
+        const DVec3 reach = out_->camera.reach(out_->film.filterRadius);
+        std::vector<std::uint32_t> around;
+        for (std::uint32_t i = 0; i < out_->shapes.size(); ++i) {
             const ShapeInstance& shape = out_->shapes[i];
-            const DVec3 p = shape.localPoint(out_->camera.position());
-            if (shape.dielectric && std::visit([&](const auto& canonical) { return canonical.inside(p); }, shape.shape))
-                out_->cameraMedia.cross(static_cast<std::uint32_t>(i));
+            if (shape.dielectric && shape.mayReach(out_->camera.position(), reach)) around.push_back(i);
         }
+        const auto volume = [&](std::uint32_t i) {
+            const DVec3 half = out_->shapes[i].halfSize();
+            return half.x * half.y * half.z;
+        };
+        std::stable_sort(around.begin(), around.end(), [&](std::uint32_t a, std::uint32_t b) { return volume(a) > volume(b); });
+        if (reach != DVec3(0.0)) {
+            out_->cameraBoundaries = std::move(around);
+            return;
+        }
+        for (const std::uint32_t i : around)
+            if (out_->shapes[i].holds(out_->camera.position())) out_->cameraMedia.cross(i);
+    }
+
+    /// Glass lets shadow rays pass unbent where the media on its sides have one index, or are one.
+    void findPassableGlass() {
+        if (!mediaMayMatch(*out_)) return;
+        if (mostMediaAtOnePlace(*out_, MediaStack::kCapacity) > MediaStack::kCapacity)
+            warn(CompileWarning::Kind::Ignored, "/objects",
+                 "more than " + std::to_string(MediaStack::kCapacity) + " dielectrics may overlap at one place; rays follow the last " +
+                     std::to_string(MediaStack::kCapacity) + " that they enter",
+                 "nest fewer of them");
+        for (CompiledMaterial& material : out_->materials)
+            if (material.dielectric) material.straight = Rgb(1.0f);
     }
 
     void findFeatures() {

@@ -67,7 +67,8 @@ struct RenderScene {
     LightTable lights;
     CasterTable casters;
     CameraModel camera;
-    MediaStack cameraMedia;  ///< the dielectrics around the camera
+    MediaStack cameraMedia;  ///< the dielectrics around the camera, where all of its rays start
+    std::vector<std::uint32_t> cameraBoundaries;  ///< those that some of its rays may start inside of: lens, orthographic
     FilmSettings film;
     RenderSettings settings;
     Features features = 0;

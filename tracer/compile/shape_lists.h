@@ -31,6 +31,14 @@ struct ShapeInstance {
 
     [[nodiscard]] DVec3 localPoint(const DVec3& p) const { return localFromWorld * (p - center); }
     [[nodiscard]] DVec3 localVector(const DVec3& v) const { return localFromWorld * v; }
+    /// Whether a point of render space is inside a closed shape.
+    [[nodiscard]] bool holds(const DVec3& p) const;
+    /// Half the size of the axis-aligned box about `center` around the shape; infinite for a plane.
+    [[nodiscard]] DVec3 halfSize() const;
+    /// Whether that box meets the box `half` about `p`.
+    [[nodiscard]] bool mayReach(const DVec3& p, const DVec3& half) const {
+        return glm::all(glm::lessThanEqual(glm::abs(p - center), half + halfSize()));
+    }
 };
 
 struct ShapeHit {

@@ -8,6 +8,19 @@
 
 namespace glint {
 
+bool ShapeInstance::holds(const DVec3& p) const {
+    return std::visit([local = localPoint(p)](const auto& s) { return s.inside(local); }, shape);
+}
+
+DVec3 ShapeInstance::halfSize() const {
+    if (std::holds_alternative<CanonicalPlane>(shape)) return DVec3(kInfinity);
+    DVec3 half(1.0);
+    if (const auto* torus = std::get_if<CanonicalTorus>(&shape))
+        half = {1 + torus->ratio, torus->ratio, 1 + torus->ratio};
+    return glm::abs(worldFromLocal[0]) * half.x + glm::abs(worldFromLocal[1]) * half.y +
+           glm::abs(worldFromLocal[2]) * half.z;
+}
+
 namespace {
 
 /// The filter's error model (shape_blocks.h) holds for sizes and coordinates within [1 / kLargest,

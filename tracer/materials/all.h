@@ -21,6 +21,11 @@ using BsdfLeaf = std::variant<LambertBsdf, TranslucentBsdf, PhongBsdf, MirrorBsd
 template <class Leaf>
 inline constexpr bool kIsRough = Leaf::kSmooth && !std::is_same_v<Leaf, LambertBsdf> && !std::is_same_v<Leaf, TranslucentBsdf>;
 
+/// Leaves that tell the refractive indices of their surroundings apart by a list.
+template <class Leaf>
+inline constexpr bool kKnowsIndices = std::is_same_v<Leaf, RoughGlassBsdf> || std::is_same_v<Leaf, RoughThinGlassBsdf> ||
+                                      std::is_same_v<Leaf, GlossyBsdf> || std::is_same_v<Leaf, PolishedGlossyBsdf>;
+
 using AllMaterials = TypeList<Diffuse, Mirror, Metal, Glass, Translucent, Glossy, Phong, Mix>;
 
 }  // namespace glint

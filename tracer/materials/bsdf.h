@@ -3,7 +3,8 @@
 // Directions are unit vectors in the local frame, z along the outward normal; `wo` points to the viewer, `wi` to the light,
 // both away from the surface; either may be on either side. A leaf may have a smooth part (eval/pdf/sample; eval excludes
 // the cosine, pdf is per solid angle) and a delta part (branches). `eta` is the refractive index on wo's side over that on the
-// other side, from the media the path is in. Leaves depend on nothing else.
+// other side, from the media the path is in; behind a surface that encloses no medium it counts as 1, so that `eta` is the
+// index around. Leaves depend on nothing else. A rough leaf names the delta part that it is near to (perfectBranches).
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 // BsdfBuilder: collects the weighted leaves of one material while the document's materials describe themselves to it.
 #pragma once
 
+#include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,30 +33,24 @@ struct MaterialLeaves {
 
 class BsdfBuilder {
   public:
-    explicit BsdfBuilder(const Scene& scene) : scene_(scene) {}
+    explicit BsdfBuilder(const Scene& scene);
 
-    [[nodiscard]] MaterialLeaves build(MaterialId id) {
-        out_ = {};
-        add(id, Rgb(1.0f));
-        return std::move(out_);
-    }
+    /// The leaves of a material. A mix is taken apart into what it blends, each once, however often mixes of mixes name it.
+    [[nodiscard]] MaterialLeaves build(MaterialId id);
 
     void add(const BsdfLeaf& leaf, const Rgb& weight) {
         if (!isBlack(weight)) out_.leaves.push_back({leaf, weight});
-    }
-    /// Everything that another material consists of. Cycles are refused by the reader of files; deeper than 64 is a cycle.
-    void add(MaterialId id, const Rgb& weight) {
-        const Material* material = scene_.materials.find(id);
-        if (!material || depth_ >= 64) return;
-        ++depth_;
-        std::visit([&](const auto& m) { m.compile(*this, weight); }, material->value);
-        --depth_;
     }
     void setMedium(float ior, const Color& absorption, int priority) {
         out_.dielectric = true;
         out_.medium = {ior, absorption, priority};
     }
     void notBuilt(std::string what) { out_.notBuilt.push_back(std::move(what)); }
+
+    /// The refractive indices that a surface can stand in: 1, then those of the scene's dielectrics, at most kMostIndices.
+    [[nodiscard]] std::span<const float> surroundings() const { return indices_; }
+    /// Index `n` over each of the surroundings'.
+    [[nodiscard]] std::vector<float> ratiosTo(float n) const;
 
     [[nodiscard]] Color color(const Textured<Color>& v) {
         if (v.texture) notBuilt("its textures are drawn in their plain colour");
@@ -67,9 +63,18 @@ class BsdfBuilder {
     }
 
   private:
+    /// Bounds the search of leaves for what they know of an index around.
+    static constexpr std::size_t kMostIndices = 16;
+    /// Shares of simple materials; of "clear" under the id 0.
+    using Blend = std::map<MaterialId, float>;
+
+    const Blend& blendOf(MaterialId id);
+
     const Scene& scene_;
+    std::vector<float> indices_{1.0f};
+    bool tooManyIndices_ = false;
+    std::map<MaterialId, Blend> blends_;
     MaterialLeaves out_;
-    int depth_ = 0;
 };
 
 }  // namespace glint

@@ -17,19 +17,6 @@ struct GlassBsdf {
     }
 };
 
-/// A thin sheet: reflectance 2F/(1+F) from all inner reflections, and straight transmission of the rest.
-struct ThinGlassBsdf {
-    static constexpr bool kSmooth = false, kDelta = true;
-    float ior;
-
-    [[nodiscard]] int branches(const Vec3& wo, float, DeltaBranch* out) const {
-        const float f = fresnelDielectric(std::abs(wo.z), 1 / ior), reflectance = 2 * f / (1 + f);
-        out[0] = {mirrored(wo), Rgb(reflectance)};
-        out[1] = {-wo, Rgb(1 - reflectance), true};
-        return 2;
-    }
-};
-
 struct Glass {
     Textured<double> ior{1.5};
     Textured<Color> absorption{Color{0, 0, 0}};
@@ -55,14 +42,14 @@ struct Glass {
             if (smooth)
                 builder.add(ThinGlassBsdf{n}, weight);
             else
-                builder.add(RoughThinGlassBsdf(n, alpha), weight);
+                builder.add(RoughThinGlassBsdf(n, alpha, builder.surroundings()), weight);
             return;
         }
         builder.setMedium(n, builder.color(absorption), priority);
         if (smooth)
             builder.add(GlassBsdf{}, weight);
         else
-            builder.add(RoughGlassBsdf(alpha), weight);
+            builder.add(RoughGlassBsdf(alpha, builder.ratiosTo(n)), weight);
     }
 };
 

@@ -1,10 +1,12 @@
-// Glossy: a dielectric coat over a diffuse base, both sides. The coat stands in air: the medium
-// around is not asked for.
+// Glossy: a dielectric coat over a diffuse base, both sides.
 #pragma once
 
+#include <span>
+
 #include "tracer/base/reflect.h"
-#include "tracer/materials/albedo_tables.h"
+#include "tracer/materials/albedo_curves.h"
 #include "tracer/materials/bsdf.h"
+#include "tracer/materials/by_index.h"
 #include "tracer/scene/ids.h"
 
 namespace glint {
@@ -16,16 +18,18 @@ class PolishedGlossyBsdf {
   public:
     static constexpr bool kSmooth = true, kDelta = true;
 
-    PolishedGlossyBsdf(const Rgb& color, float ior)
+    /// `around`: the indices of the media that it can stand in, that of most use first.
+    PolishedGlossyBsdf(const Rgb& color, float ior, std::span<const float> around)
         : color_(color),
-          eta_(1 / ior),
-          entering_(static_cast<float>(1 - averageFresnel(1.0 / ior))) {}
+          coats_(around, [ior](float index) { return Coat(index / ior); }),
+          entering_(coats_.nearest(around[0]).entering) {}
     [[nodiscard]] Rgb albedo() const { return color_ * entering_; }
-    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float) const {
+    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float around) const {
         if (!sameSide(wo, wi)) return Rgb(0.0f);
-        const float passes = (1 - fresnelDielectric(std::abs(wo.z), eta_)) *
-                             (1 - fresnelDielectric(std::abs(wi.z), eta_));
-        return color_ * (passes / (kPiF * entering_));
+        const Coat& coat = coats_.nearest(around);
+        const float passes = (1 - fresnelDielectric(std::abs(wo.z), coat.eta)) *
+                             (1 - fresnelDielectric(std::abs(wi.z), coat.eta));
+        return color_ * (passes / (kPiF * coat.entering));
     }
     [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float) const {
         return sameSide(wo, wi) ? std::abs(wi.z) * (1 / kPiF) : 0.0f;
@@ -34,15 +38,23 @@ class PolishedGlossyBsdf {
         const Vec3 wi = cosineOnSideOf(wo, {u.x, u.y});
         return {wi, eval(wo, wi, eta), pdf(wo, wi, eta)};
     }
-    [[nodiscard]] int branches(const Vec3& wo, float, DeltaBranch* out) const {
-        const float reflectance = fresnelDielectric(std::abs(wo.z), eta_);
+    [[nodiscard]] int branches(const Vec3& wo, float around, DeltaBranch* out) const {
+        const float reflectance =
+            fresnelDielectric(std::abs(wo.z), coats_.nearest(around).eta);
         out[0] = {mirrored(wo), Rgb(reflectance)};
         return reflectance > 0 ? 1 : 0;
     }
 
   private:
+    struct Coat {
+        float eta, entering;  ///< index around over the coat's; 1 - F_avg
+        explicit Coat(float ratio)
+            : eta(ratio), entering(static_cast<float>(1 - averageFresnel(ratio))) {}
+    };
+
     Rgb color_;
-    float eta_, entering_;  ///< entering: 1 - F_avg
+    ByIndex<Coat> coats_;  ///< by the index around
+    float entering_;       ///< in the first of them
 };
 
 /// A rough coat: GGX with Fresnel's law, over the same base with the coat's albedo E in place of F.
@@ -51,72 +63,79 @@ class GlossyBsdf {
   public:
     static constexpr bool kSmooth = true, kDelta = false;
 
-    /// alpha in [kMinAlpha, 1], ior >= 1.
-    GlossyBsdf(const Rgb& color, float ior, float alpha)
+    /// alpha in [kMinAlpha, 1], ior >= 1; `around` as for the polished coat.
+    GlossyBsdf(const Rgb& color, float ior, float alpha, std::span<const float> around)
         : color_(color),
-          eta_(1 / static_cast<double>(ior)),
+          ior_(ior),
           ggx_(alpha),
-          passing_(coatPassing(alpha, ior)) {}
-    [[nodiscard]] Rgb albedo() const {
-        const float entering = static_cast<float>(passing_.average());
-        return color_ * entering + Rgb(1 - entering);
-    }
-    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float) const {
+          coats_(around, [alpha, ior](float index) { return Coat(alpha, index / ior); }),
+          entering_(static_cast<float>(coats_.nearest(around[0]).passing.average())) {}
+    [[nodiscard]] Rgb albedo() const { return color_ * entering_ + Rgb(1 - entering_); }
+    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float around) const {
         const ReflectionPair p(wo, wi);
-        return p.valid ? evalPair(p) : Rgb(0.0f);
+        return p.valid ? evalPair(p, coats_.nearest(around)) : Rgb(0.0f);
     }
     /// The part of eval() that is the base's.
-    [[nodiscard]] Rgb evalBase(const Vec3& wo, const Vec3& wi) const {
+    [[nodiscard]] Rgb evalBase(const Vec3& wo, const Vec3& wi, float around) const {
         const ReflectionPair p(wo, wi);
-        return p.valid ? color_ * base(p) : Rgb(0.0f);
+        return p.valid ? color_ * coats_.nearest(around).base(p) : Rgb(0.0f);
     }
-    [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float) const {
+    [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float around) const {
         const ReflectionPair p(wo, wi);
-        return p.valid ? pdfPair(p) : 0.0f;
+        return p.valid ? pdfPair(p, coats_.nearest(around)) : 0.0f;
     }
-    [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float) const {
+    [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float around) const {
         const DVec3 o = unitOnSide(wo, wo.z);
         if (o.z < kMinCosine) return {};
-        Vec3 wi = u.z < coatShare(o.z)
+        const Coat& coat = coats_.nearest(around);
+        Vec3 wi = u.z < coatShare(o.z, coat)
                       ? toFloat(reflectAbout(o, ggx_.reflectingNormal(o, DVec2(u.x, u.y))))
                       : cosineHemisphere({u.x, u.y});
         if (wi.z <= 0) return {};
         if (wo.z < 0) wi.z = -wi.z;
         const ReflectionPair p(wo, wi);
         if (!p.valid) return {};
-        return {wi, evalPair(p), pdfPair(p)};
+        return {wi, evalPair(p, coat), pdfPair(p, coat)};
     }
     /// The mirror of the polished coat that it is near to (classic).
-    [[nodiscard]] int perfectBranches(const Vec3& wo, float, DeltaBranch* out) const {
-        out[0] = {mirrored(wo), Rgb(fresnelDielectric(std::abs(wo.z), static_cast<float>(eta_)))};
-        return 1;
+    [[nodiscard]] int perfectBranches(const Vec3& wo, float around, DeltaBranch* out) const {
+        const float reflectance = fresnelDielectric(std::abs(wo.z), around / ior_);
+        out[0] = {mirrored(wo), Rgb(reflectance)};
+        return reflectance > 0 ? 1 : 0;
     }
 
   private:
-    [[nodiscard]] Rgb evalPair(const ReflectionPair& p) const {
-        const double coat =
-            ggx_.d(p.h) * ggx_.visibility(p.o, p.i) * fresnelTerm(p.cosHalf, eta_).reflectance;
-        return color_ * base(p) + Rgb(static_cast<float>(coat));
+    struct Coat {
+        double eta;           ///< index around over the coat's
+        CoatPassing passing;  ///< the share that enters the coat, or leaves it from within
+        Coat(float alpha, float ratio) : eta(ratio), passing(alpha, ratio) {}
+        [[nodiscard]] float base(const ReflectionPair& p) const {
+            return static_cast<float>(passing(p.o.z) * passing(p.i.z) / (kPi * passing.average()));
+        }
+    };
+
+    [[nodiscard]] Rgb evalPair(const ReflectionPair& p, const Coat& coat) const {
+        const double mirror =
+            ggx_.d(p.h) * ggx_.visibility(p.o, p.i) * fresnelTerm(p.cosHalf, coat.eta).reflectance;
+        return color_ * coat.base(p) + Rgb(static_cast<float>(mirror));
     }
-    [[nodiscard]] float base(const ReflectionPair& p) const {
-        return static_cast<float>(passing_(p.o.z) * passing_(p.i.z) / (kPi * passing_.average()));
-    }
-    [[nodiscard]] float pdfPair(const ReflectionPair& p) const {
-        const double share = coatShare(p.o.z);
+    [[nodiscard]] float pdfPair(const ReflectionPair& p, const Coat& coat) const {
+        const double share = coatShare(p.o.z, coat);
         return static_cast<float>(share * ggx_.reflectionPdf(p.o, p.h) +
                                   (1 - share) * p.i.z * (1 / kPi));
     }
     /// How often the coat is sampled: as much as it reflects. The floor keeps a density wherever
     /// the coat has a value.
-    [[nodiscard]] double coatShare(double cosine) const {
-        const double passes = passing_(cosine), coat = std::max(1e-3, 1 - passes);
-        return coat / (coat + passes * maxComponent(color_));
+    [[nodiscard]] double coatShare(double cosine, const Coat& coat) const {
+        const double passes = coat.passing(cosine), mirror = std::max(1e-3, 1 - passes);
+        return mirror / (mirror + passes * maxComponent(color_));
     }
 
     Rgb color_;
-    double eta_;
+    float ior_;
     Ggx ggx_;
-    CoatPassing passing_;  ///< the share that enters the coat, or leaves it from within
+    ByIndex<Coat> coats_;  ///< by the index around
+    float entering_;       ///< average of what passes in the first of them
 };
 
 struct Glossy {
@@ -142,9 +161,9 @@ struct Glossy {
         const Rgb base = builder.value(color);
         const float n = builder.value(ior), alpha = alphaFromRoughness(builder.value(roughness));
         if (alpha < kMinAlpha)
-            builder.add(PolishedGlossyBsdf(base, n), weight);
+            builder.add(PolishedGlossyBsdf(base, n, builder.surroundings()), weight);
         else
-            builder.add(GlossyBsdf(base, n, alpha), weight);
+            builder.add(GlossyBsdf(base, n, alpha, builder.surroundings()), weight);
     }
 };
 

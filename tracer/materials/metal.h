@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tracer/base/reflect.h"
-#include "tracer/materials/albedo_tables.h"
+#include "tracer/materials/albedo_curves.h"
 #include "tracer/materials/bsdf.h"
 #include "tracer/scene/ids.h"
 
@@ -29,11 +29,11 @@ class MetalBsdf {
 
     /// alpha in [kMinAlpha, 1].
     MetalBsdf(const Rgb& color, float alpha)
-        : color_(color), ggx_(alpha), multipleLobe_(alpha), loss_(metalLoss(alpha)) {
+        : color_(color), ggx_(alpha), multipleLobe_(alpha), loss_(alpha) {
         const float lost = static_cast<float>(loss_.average());
         average_ = color + (Rgb(1.0f) - color) / 21.0f;
         multiple_ = average_ * average_ * (1 - lost) / (Rgb(1.0f) - average_ * lost);
-        multipleScale_ = 1 / (kPi * (std::max(0.0, loss_.average()) + kLossNoise));
+        multipleScale_ = 1 / (kPi * loss_.average());
     }
     [[nodiscard]] Rgb albedo() const {
         const float lost = static_cast<float>(loss_.average());
@@ -70,7 +70,7 @@ class MetalBsdf {
         const float single = static_cast<float>(ggx_.d(p.h) * ggx_.visibility(p.o, p.i));
         const float white = static_cast<float>(schlickWeight(p.cosHalf));
         const float multiple =
-            static_cast<float>(std::max(0.0, loss_(p.o.z) * loss_(p.i.z)) * multipleScale_);
+            static_cast<float>(loss_(p.o.z) * loss_(p.i.z) * multipleScale_);
         return (color_ + (Rgb(1.0f) - color_) * white) * single + multiple_ * multiple;
     }
     [[nodiscard]] float pdfPair(const ReflectionPair& p) const {
@@ -80,14 +80,14 @@ class MetalBsdf {
     }
     /// How often the second term is sampled.
     [[nodiscard]] double multipleShare(double cosine) const {
-        const double lost = std::max(0.0, loss_(cosine)), multiple = lost * maxComponent(multiple_);
+        const double lost = loss_(cosine), multiple = lost * maxComponent(multiple_);
         return multiple / (multiple + (1 - lost) * maxComponent(average_));
     }
 
     Rgb color_, average_{0.0f}, multiple_{0.0f};
     Ggx ggx_;
     MultipleLobe multipleLobe_;
-    MetalCurve loss_;
+    MicrosurfaceLoss loss_;
     double multipleScale_ = 0;
 };
 

@@ -114,28 +114,26 @@ class Ggx {
     double alpha_, alpha2_;
 };
 
-/// Directions for light that bounced more than once: half of them by the cosine, half crowded at
-/// cosines near alpha, where narrow lobes lose most of their light (squared cosine alpha^2 u / (1 +
-/// alpha^2 - u)).
+/// Directions for light that bounced more than once: half of them by the cosine, half as the losses
+/// of narrow lobes fall off, by cosine / (alpha^2 + cosine^2).
 class MultipleLobe {
   public:
-    explicit MultipleLobe(double alpha) : alpha2_(alpha * alpha) {}
+    explicit MultipleLobe(double alpha) : alpha2_(alpha * alpha), range_(std::log1p(1 / alpha2_)) {}
     /// A direction with z >= 0. u in [0, 1)^2.
     [[nodiscard]] DVec3 sample(const DVec2& u) const {
         const bool even = u.x < 0.5;
         const double v = even ? 2 * u.x : 2 * u.x - 1;
-        const double cos2 = even ? 1 - v : alpha2_ * v / (1 + alpha2_ - v);
+        const double cos2 = even ? 1 - v : std::min(1.0, alpha2_ * std::expm1(v * range_));
         const double sine = std::sqrt(1 - cos2), phi = 2 * kPi * u.y;
         return {sine * std::cos(phi), sine * std::sin(phi), std::sqrt(cos2)};
     }
     /// Its density per solid angle; cosine > 0.
     [[nodiscard]] double pdf(double cosine) const {
-        const double q = cosine * cosine + alpha2_;
-        return (0.5 / kPi) * cosine * (1 + alpha2_ * (1 + alpha2_) / (q * q));
+        return (0.5 / kPi) * cosine * (1 + 1 / (range_ * (cosine * cosine + alpha2_)));
     }
 
   private:
-    double alpha2_;
+    double alpha2_, range_;
 };
 
 /// o mirrored about h.

@@ -1,4 +1,4 @@
-// Mix: a blend of two materials, or of one and "clear" (straight through), linear in the BSDF.
+// Mix: a blend of two materials, or of one and "clear" (straight through), linear in the BSDF. BsdfBuilder takes it apart.
 #pragma once
 
 #include "tracer/base/reflect.h"
@@ -27,22 +27,6 @@ struct Mix {
         return std::tuple{Field{"a", &Mix::a, {.required = true, .doc = "Material at amount 0, or clear"}},
                           Field{"b", &Mix::b, {.required = true, .doc = "Material at amount 1, or clear"}},
                           Field{"amount", &Mix::amount, {.min = 0, .max = 1, .doc = "0 is all a, 1 is all b"}}};
-    }
-    template <class Builder>
-    void compile(Builder& builder, const Rgb& weight) const {
-        const float share = builder.value(amount);
-        add(builder, a, weight * (1 - share));
-        add(builder, b, weight * share);
-    }
-
-  private:
-    template <class Builder>
-    static void add(Builder& builder, const MixPart& part, const Rgb& weight) {
-        if (isBlack(weight)) return;
-        if (part.clear)
-            builder.add(ClearBsdf{}, weight);
-        else if (part.material)
-            builder.add(part.material, weight);
     }
 };
 

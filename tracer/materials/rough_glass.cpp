@@ -1,5 +1,7 @@
 #include "tracer/materials/rough_glass.h"
 
+#include <algorithm>
+
 #include "tracer/math/quadrature.h"
 
 namespace glint {
@@ -18,25 +20,26 @@ bool takes(double share, double& u) {
 
 }  // namespace
 
-struct RoughGlassBsdf::Multiple {
-    DielectricLoss here, there;
-    double across;  ///< share that leaves on the other side
-
-    Multiple(double alpha, double eta)
-        : here(dielectricLoss(alpha, eta)), there(dielectricLoss(alpha, 1 / eta)) {
-        across = (1 - averageFresnel(eta)) * std::min(1.0, there.average() / here.average());
-    }
-    [[nodiscard]] double back(const DVec3& o, const DVec3& i) const {
-        return (1 - across) * here(o.z) * here(i.z) / (kPi * here.average());
-    }
-    [[nodiscard]] double through(const DVec3& o, const DVec3& i) const {
-        return across * here(o.z) * there(-i.z) / (kPi * there.average());
-    }
-};
-
-RoughGlassBsdf::RoughGlassBsdf(float alpha) : alpha_(alpha), ggx_(alpha), multipleLobe_(alpha) {
-    (void)Multiple(alpha, 1.5);
+RoughGlassBsdf::Multiple::Multiple(double alpha, double eta)
+    : here_(alpha, eta), there_(alpha, 1 / eta) {
+    across_ = (1 - averageFresnel(eta)) * std::min(1.0, there_.average() / here_.average());
 }
+
+namespace {
+
+/// The ratios and their inverses, each once.
+std::vector<float> bothWays(std::span<const float> ratios) {
+    std::vector<float> all;
+    for (const float ratio : ratios)
+        for (const float way : {ratio, 1 / ratio})
+            if (std::find(all.begin(), all.end(), way) == all.end()) all.push_back(way);
+    return all;
+}
+
+}  // namespace
+
+RoughGlassBsdf::RoughGlassBsdf(float alpha, std::span<const float> etas)
+    : alpha_(alpha), ggx_(alpha), multipleLobe_(alpha), multiple_(bothWays(etas), [alpha](float eta) { return Multiple(alpha, eta); }) {}
 
 RoughGlassBsdf::Value RoughGlassBsdf::valueOf(const Vec3& wo, const Vec3& wi, double eta) const {
     if (isSmooth(eta)) return {};
@@ -46,21 +49,21 @@ RoughGlassBsdf::Value RoughGlassBsdf::valueOf(const Vec3& wo, const Vec3& wi, do
 }
 
 RoughGlassBsdf::Value RoughGlassBsdf::reflected(const DVec3& o, const DVec3& i, double eta) const {
-    const Multiple multiple(alpha_, eta);
+    const Multiple* multiple = multiple_.find(static_cast<float>(eta));
     const DVec3 sum = o + i, h = sum / std::sqrt(glm::dot(sum, sum));
     const double cosine = glm::dot(o, h), reflectance = fresnelTerm(cosine, eta).reflectance;
     const double single = reflectance * ggx_.d(h) * ggx_.visibility(o, i);
-    const double lost = multiple.here(o.z);
-    const double pdf = (1 - lost) * reflectance * ggx_.visibleNormalPdf(o, h) / (4 * cosine) +
-                       lost * (1 - multiple.across) * multipleLobe_.pdf(i.z);
-    return {static_cast<float>(single + multiple.back(o, i)), static_cast<float>(pdf)};
+    const double pdf = reflectance * ggx_.visibleNormalPdf(o, h) / (4 * cosine);
+    if (!multiple) return {static_cast<float>(single), static_cast<float>(pdf)};
+    const double lost = multiple->lost(o.z);
+    return {static_cast<float>(single + multiple->back(o, i)),
+            static_cast<float>((1 - lost) * pdf +
+                               lost * (1 - multiple->across()) * multipleLobe_.pdf(i.z))};
 }
 
 RoughGlassBsdf::Value RoughGlassBsdf::transmitted(const DVec3& o, const DVec3& i,
                                                   double eta) const {
-    const Multiple multiple(alpha_, eta);
-    const double lost = multiple.here(o.z);
-    double single = 0, pdf = lost * multiple.across * multipleLobe_.pdf(-i.z);
+    double single = 0, pdf = 0;
     DVec3 h = eta * o + i;
     h /= std::sqrt(glm::dot(h, h));
     if (h.z < 0) h = -h;
@@ -70,21 +73,25 @@ RoughGlassBsdf::Value RoughGlassBsdf::transmitted(const DVec3& o, const DVec3& i
         const double passes = 1 - fresnelTerm(co, eta).reflectance, q = ci + eta * co;
         const double jacobian = -ci / (q * q);
         single = passes * 4 * co * jacobian * ggx_.d(h) * ggx_.visibility(o, i);
-        pdf += (1 - lost) * passes * jacobian * ggx_.visibleNormalPdf(o, h);
+        pdf = passes * jacobian * ggx_.visibleNormalPdf(o, h);
     }
-    return {static_cast<float>(eta * eta * (single + multiple.through(o, i))),
-            static_cast<float>(pdf)};
+    if (const Multiple* multiple = multiple_.find(static_cast<float>(eta))) {
+        const double lost = multiple->lost(o.z);
+        single += multiple->through(o, i);
+        pdf = (1 - lost) * pdf + lost * multiple->across() * multipleLobe_.pdf(-i.z);
+    }
+    return {static_cast<float>(eta * eta * single), static_cast<float>(pdf)};
 }
 
 BsdfSample RoughGlassBsdf::sample(const Vec3& wo, const Vec3& u, float eta) const {
     const DVec3 o = unitOnSide(wo, wo.z);
     if (isSmooth(eta) || o.z < kMinCosine) return {};
-    const Multiple multiple(alpha_, eta);
+    const Multiple* multiple = multiple_.find(eta);
     double pick = u.z;
     Vec3 wi;
-    if (takes(multiple.here(o.z), pick)) {
+    if (multiple && takes(multiple->lost(o.z), pick)) {
         wi = toFloat(multipleLobe_.sample(DVec2(u.x, u.y)));
-        if (pick < multiple.across) wi.z = -wi.z;
+        if (pick < multiple->across()) wi.z = -wi.z;
     } else {
         const DVec3 h = ggx_.visibleNormal(o, DVec2(u.x, u.y));
         const double cosine = glm::dot(o, h);
@@ -101,48 +108,45 @@ BsdfSample RoughGlassBsdf::sample(const Vec3& wo, const Vec3& u, float eta) cons
     return {wi, Rgb(value.f), value.pdf};
 }
 
-int RoughGlassBsdf::branches(const Vec3& wo, float eta, DeltaBranch* out) const {
-    return isSmooth(eta) ? smoothDielectricBranches(wo, eta, out) : 0;
-}
-
-RoughThinGlassBsdf::RoughThinGlassBsdf(float ior, float alpha)
-    : eta_(1 / static_cast<double>(ior)),
-      ggx_(alpha),
-      multipleLobe_(alpha),
-      loss_(metalLoss(alpha)) {
+RoughThinGlassBsdf::Reflectance::Reflectance(double ratio) : eta(ratio) {
     for (const QuadratureNode& node : gaussLegendre(48))
-        averageReflectance_ += 2 * node.weight * node.x * reflectance(node.x);
+        average += 2 * node.weight * node.x * (*this)(node.x);
 }
 
-Rgb RoughThinGlassBsdf::eval(const Vec3& wo, const Vec3& wi, float) const {
+RoughThinGlassBsdf::RoughThinGlassBsdf(float ior, float alpha, std::span<const float> around)
+    : ior_(ior), ggx_(alpha), multipleLobe_(alpha), loss_(alpha), reflectance_(around, [ior](float index) { return Reflectance(index / ior); }) {}
+
+Rgb RoughThinGlassBsdf::eval(const Vec3& wo, const Vec3& wi, float around) const {
     const bool back = sameSide(wo, wi);
     const ReflectionPair p(wo, back ? wi : Vec3(wi.x, wi.y, -wi.z));
     if (!p.valid) return Rgb(0.0f);
-    const double share = reflectance(p.cosHalf), averageShare = averageReflectance_;
+    const Reflectance& reflectance = reflectance_.nearest(around);
+    const double share = reflectance(p.cosHalf), averageShare = reflectance.average;
     const double single = ggx_.d(p.h) * ggx_.visibility(p.o, p.i);
-    const double multiple =
-        lossAt(p.o.z) * lossAt(p.i.z) / (kPi * (std::max(0.0, loss_.average()) + kLossNoise));
+    const double multiple = loss_(p.o.z) * loss_(p.i.z) / (kPi * loss_.average());
     return Rgb(static_cast<float>(back ? share * single + averageShare * multiple
                                        : (1 - share) * single + (1 - averageShare) * multiple));
 }
 
-float RoughThinGlassBsdf::pdf(const Vec3& wo, const Vec3& wi, float) const {
+float RoughThinGlassBsdf::pdf(const Vec3& wo, const Vec3& wi, float around) const {
     const bool back = sameSide(wo, wi);
     const ReflectionPair p(wo, back ? wi : Vec3(wi.x, wi.y, -wi.z));
     if (!p.valid) return 0;
-    const double share = reflectance(p.cosHalf), lost = lossAt(p.o.z);
-    const double single = (1 - lost) * ggx_.reflectionPdf(p.o, p.h),
+    const Reflectance& reflectance = reflectance_.nearest(around);
+    const double share = reflectance(p.cosHalf), averageShare = reflectance.average;
+    const double lost = loss_(p.o.z), single = (1 - lost) * ggx_.reflectionPdf(p.o, p.h),
                  multiple = lost * multipleLobe_.pdf(p.i.z);
-    return static_cast<float>(back ? share * single + averageReflectance_ * multiple
-                                   : (1 - share) * single + (1 - averageReflectance_) * multiple);
+    return static_cast<float>(back ? share * single + averageShare * multiple
+                                   : (1 - share) * single + (1 - averageShare) * multiple);
 }
 
-BsdfSample RoughThinGlassBsdf::sample(const Vec3& wo, const Vec3& u, float eta) const {
+BsdfSample RoughThinGlassBsdf::sample(const Vec3& wo, const Vec3& u, float around) const {
     const DVec3 o = unitOnSide(wo, wo.z);
     if (o.z < kMinCosine) return {};
-    double pick = u.z, share = averageReflectance_;
+    const Reflectance& reflectance = reflectance_.nearest(around);
+    double pick = u.z, share = reflectance.average;
     Vec3 wi;
-    if (takes(lossAt(o.z), pick)) {
+    if (takes(loss_(o.z), pick)) {
         wi = toFloat(multipleLobe_.sample(DVec2(u.x, u.y)));
     } else {
         const DVec3 h = ggx_.reflectingNormal(o, DVec2(u.x, u.y));
@@ -151,7 +155,7 @@ BsdfSample RoughThinGlassBsdf::sample(const Vec3& wo, const Vec3& u, float eta) 
     }
     if (wi.z <= 0) return {};
     if ((pick < share) != (wo.z > 0)) wi.z = -wi.z;
-    return {wi, eval(wo, wi, eta), pdf(wo, wi, eta)};
+    return {wi, eval(wo, wi, around), pdf(wo, wi, around)};
 }
 
 }  // namespace glint

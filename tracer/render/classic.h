@@ -18,7 +18,7 @@ class ClassicTracer {
     /// Radiance that arrives along a camera ray.
     Rgb radiance(const Ray& cameraRay) {
         MediaStack media;
-        if constexpr (has(F, Feature::Media)) media = scene_.cameraMedia;
+        if constexpr (has(F, Feature::Media)) media = mediaAt(scene_, cameraRay.origin);
         ++state_.rays.primary;
         Branch first{cameraRay, media, Rgb(1.0f), 1.0f, 0, 1, true, true};
         record([&](PathRecord& r) { first.vertex = r.leave(-1, PathEvent::Camera, Rgb(1.0f), 1); });

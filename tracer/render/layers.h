@@ -46,9 +46,9 @@ struct LayerSample {
 
 /// The part of a smooth leaf's f that is diffuse reflection.
 template <class Leaf>
-[[nodiscard]] Rgb diffusePart(const Leaf& leaf, const Vec3& wo, const Vec3& wi, const Rgb& f) {
-    if constexpr (requires { leaf.evalBase(wo, wi); })
-        return leaf.evalBase(wo, wi);
+[[nodiscard]] Rgb diffusePart(const Leaf& leaf, const Vec3& wo, const Vec3& wi, float eta, const Rgb& f) {
+    if constexpr (requires { leaf.evalBase(wo, wi, eta); })
+        return leaf.evalBase(wo, wi, eta);
     else if constexpr (std::is_same_v<Leaf, LambertBsdf> || std::is_same_v<Leaf, TranslucentBsdf> || std::is_same_v<Leaf, PolishedGlossyBsdf>)
         return f;
     else
@@ -65,7 +65,7 @@ template <class Leaf>
                 if constexpr (Leaf::kSmooth) {
                     const Rgb f = leaf.eval(wo, wi, eta);
                     whole += weighted.weight * f;
-                    diffuse += weighted.weight * diffusePart(leaf, wo, wi, f);
+                    diffuse += weighted.weight * diffusePart(leaf, wo, wi, eta, f);
                 }
             },
             weighted.leaf);

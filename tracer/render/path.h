@@ -43,7 +43,7 @@ class PathTracer {
     Rgb radiance(const Ray& cameraRay) {
         Path first;
         first.ray = cameraRay;
-        if constexpr (has(F, Feature::Media)) first.media = scene_.cameraMedia;
+        if constexpr (has(F, Feature::Media)) first.media = mediaAt(scene_, cameraRay.origin);
         ++state_.rays.primary;
         record([&](PathRecord& r) { first.vertex = r.leave(-1, PathEvent::Camera, Rgb(1.0f), 1); });
         follow(first);
@@ -104,7 +104,6 @@ class PathTracer {
                     if (++hidden > kMaxHidden) return;
                     path.ray = {point.position, path.ray.direction, point.shape, point.outside};
                     path.media.cross(point.shape);
-                    path.pdf = 0;
                     path.chain = {};
                     continue;
                 }

@@ -9,7 +9,7 @@ namespace glint {
 
 /// The delta branches at a point with their leaf weights applied.
 struct Branches {
-    static constexpr int kCapacity = 16;
+    static constexpr int kCapacity = 4;  ///< mirrored, refracted, straight on, and refracted straight on
     std::array<DeltaBranch, kCapacity> at;
     int count = 0;
     float total = 0;  ///< sum of the sizes
@@ -17,8 +17,17 @@ struct Branches {
     /// What a branch is chosen by: its largest share of light.
     static float size(const DeltaBranch& branch) { return maxComponent(branch.weight) / branch.scale; }
 
+    /// Leaves that send light the same way make one branch.
     void add(const DeltaBranch& branch) {
-        if (!(size(branch) > 0) || count == kCapacity) return;
+        if (!(size(branch) > 0)) return;
+        for (int i = 0; i < count; ++i)
+            if (DeltaBranch& other = at[static_cast<std::size_t>(i)]; other.wi == branch.wi && other.straight == branch.straight) {
+                const float both = size(other) + size(branch);
+                other.weight += branch.weight;
+                other.scale = maxComponent(other.weight) / both;
+                total += size(branch);
+                return;
+            }
         at[static_cast<std::size_t>(count++)] = branch;
         total += size(branch);
     }

@@ -35,19 +35,22 @@ template <Features F>
     while (true) {
         ++state.work[Work::ShadowSteps];
         const ShapeHit hit = scene.lists.closest(ray, media, tMax, state.work);
-        const bool arrived = !hit.found() || hit.shape == light;
+        const bool toLight = hit.found() && hit.shape == light, arrived = !hit.found() || toLight;
         if constexpr (has(F, Feature::Media))
             share *= transmittance<F>(mediumOf(scene, fillingShape(scene, media)), arrived ? tMax : hit.t, state.work);
-        if (arrived || isBlack(share)) return share;
-        const SurfacePoint point = surfacePoint(scene, ray, hit, media);
+        if (!hit.found() || isBlack(share)) return share;
         const ShapeInstance& instance = scene.shapes[hit.shape];
+        if (toLight && !instance.dielectric) return share;
+        const SurfacePoint point = surfacePoint(scene, ray, hit, media);
+        // Paths find nothing at a hidden boundary, so no light either.
+        if (toLight) return point.hidden ? Rgb(0.0f) : share;
         const bool tints = tinted && instance.dielectric;
         const CompiledMaterial& material = scene.materials[instance.material];
         // Of an opaque surface nothing counts but that it is one: edits that change this start anew.
         if (tints || !isBlack(material.straight)) state.materials |= material.bit;
-        if (!tints) {
+        if (!tints && !point.hidden) {
             if (passes-- <= 0) return Rgb(0.0f);
-            if (isBlack(material.straight) || point.hidden) return Rgb(0.0f);
+            if (isBlack(material.straight)) return Rgb(0.0f);
             share *= straightWeight(material, point.wo, point.eta, state.work);
             if (isBlack(share)) return share;
         }

@@ -31,13 +31,21 @@ template <Features F>
     return {channel(medium.absorption.r), channel(medium.absorption.g), channel(medium.absorption.b)};
 }
 
+/// The dielectrics around a camera ray's origin.
+[[nodiscard]] inline MediaStack mediaAt(const RenderScene& scene, const DVec3& origin) {
+    MediaStack media = scene.cameraMedia;
+    for (const std::uint32_t shape : scene.cameraBoundaries)
+        if (scene.shapes[shape].holds(origin)) media.cross(shape);
+    return media;
+}
+
 struct SurfacePoint {
     DVec3 position{0.0};  ///< on the surface, in render space
     Frame frame;          ///< z along the outward normal
     Vec3 wo{0.0f};        ///< local, towards where the ray came from
     std::uint32_t shape = kNoShape;
     bool outside = true;  ///< the ray came from the outward side
-    float eta = 1;        ///< index on wo's side over the other side
+    float eta = 1;        ///< index on wo's side over the other side; over 1 where there is no medium behind
     bool hidden = false;  ///< the boundary of a dielectric inside one of higher priority: there is nothing to see
 
     [[nodiscard]] const ShapeInstance& instance(const RenderScene& scene) const { return scene.shapes[shape]; }
@@ -76,6 +84,8 @@ struct SurfacePoint {
         const std::uint32_t here = fillingShape(scene, media), there = fillingShape(scene, beyond);
         out.hidden = here == there;
         out.eta = mediumOf(scene, here).ior / mediumOf(scene, there).ior;
+    } else if (!media.empty()) {
+        out.eta = mediumOf(scene, fillingShape(scene, media)).ior;
     }
     out.wo = toFloat(wo);
     return out;
