@@ -50,6 +50,7 @@ usage: ./glint.sh [SCENE]         build, then open the editor on SCENE (default:
        ./glint.sh render ARGS     glint-render: SCENE -o PICTURE [--spp N] ... (render --help)
        ./glint.sh test [--full]   build and run every test; --full: long forms, sanitizers, fuzzing
        ./glint.sh numbers        the full numeric tests of geometry; their counts into tests/numeric/README.md
+       ./glint.sh closed-forms    every closed-form picture against its formula; the table into tests/render/README.md
        ./glint.sh bench ARGS      glint-bench: measure (bench --help); bench window SCENE: the editor's window
        ./glint.sh help            this text
 
@@ -222,6 +223,21 @@ run_numbers() {
     ((failed == 0)) || fail "tests failed; see above and tests/numeric/README.md"
 }
 
+# The closed forms of scenes/verify with 16 times the samples; their table into tests/render/README.md.
+run_closed_forms() {
+    build_release
+    local readme=$root/tests/render/README.md rows=$release/closed-forms.rows failed=0
+    rm -f "$rows"
+    GLINT_FULL=1 GLINT_CLOSED_FORMS=$rows "$release/tests/glint_tests_render" --gtest_filter='*Verify.PictureIs*' || failed=1
+    sort -V -o "$rows" "$rows"
+    sed -i -e '/<!-- closed forms -->/,/<!-- end of closed forms -->/{//!d}' "$readme"
+    sed -i -e "/<!-- closed forms -->/r /dev/stdin" "$readme" < <(
+        printf '| | Scene | exact | mean | error | σ |\n|---|---|---|---|---|---|\n'
+        cat "$rows"
+    )
+    ((failed == 0)) || fail "a picture is not its closed form; see above"
+}
+
 command=${1:-}
 (($# == 0)) || shift
 case $command in
@@ -232,6 +248,7 @@ case $command in
         ;;
     test) run_tests "$@" ;;
     numbers) run_numbers ;;
+    closed-forms) run_closed_forms ;;
     bench)
         build_release
         if [[ ${1:-} == window ]]; then

@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <map>
 
 #include <nlohmann/json.hpp>
@@ -89,6 +92,13 @@ double underBall(double albedo, double emission, double radius, const DVec3& at)
     return albedo * emission * squared(radius) / d2 * at.y / std::sqrt(d2);
 }
 
+/// A diffuse floor `h` metres below a spot that shines straight down, seen `x` metres beside it, where its edge fades.
+double underSpot(double albedo, double intensity, double h, double x, double outerDegrees, double innerDegrees) {
+    const double d2 = h * h + x * x, cosine = h / std::sqrt(d2), outer = std::cos(degreesToRadians(outerDegrees));
+    const double t = (cosine - outer) / (std::cos(degreesToRadians(innerDegrees)) - outer);
+    return albedo / kPi * intensity * t * t * (3 - 2 * t) * cosine / d2;
+}
+
 /// Form factor of a rectangle parallel to the receiver with a corner right above it; sides over
 /// height (Lambert).
 double cornerFormFactor(double x, double y) {
@@ -120,6 +130,9 @@ const std::map<std::string, double>& closedForms() {
         {"floor_under_ball", underBall(0.6, 5, 0.5, {1, 2, 0.5})},
         {"floor_under_disk", 0.6 * 5 * squared(0.8) / (squared(0.8) + squared(1.5))},
         {"floor_under_rectangle", 0.6 * 4 * 4 * cornerFormFactor(1 / 1.5, 1.5 / 1.5)},
+        {"floor_under_spot", underSpot(0.6, 7, 2, 1, 40, 16)},
+        {"floor_under_sun", 0.6 / kPi * 3 * 2 / std::sqrt(5.25)},
+        {"floor_under_sun_disc", 0.6 / kPi * 3 * 2 / std::sqrt(5.25)},
         {"mirror_corridor", std::pow(0.8, 5)},
         {"translucent_sheet", (0.3 + 0.45) * 2},
         {"phong_lobe", 0.9 * 2},
@@ -182,7 +195,21 @@ TEST_P(Verify, NumberIsThatOfTheFormula) {
     EXPECT_FALSE(block_.value("source", "").empty());
 }
 
-TEST_P(Verify, PictureIsTheClosedForm) { test::expectMean(rendered(scene_), exact_, GetParam()); }
+/// Adds a row to the table that `./glint.sh closed-forms` puts into tests/render/README.md, if it asks for one.
+void addRow(const std::string& name, const std::string& source, double exact, const test::Estimate& found) {
+    const char* file = std::getenv("GLINT_CLOSED_FORMS");
+    if (!file) return;
+    char row[256];
+    std::snprintf(row, sizeof row, "| %s | `%s` | %.7g | %.7g | %+.1e | %.1e |\n", source.c_str(), name.c_str(), exact, found.mean,
+                  found.mean / exact - 1, found.sigma / exact);
+    std::ofstream(file, std::ios::app) << row;
+}
+
+TEST_P(Verify, PictureIsTheClosedForm) {
+    const Image picture = rendered(scene_);
+    test::expectMean(picture, exact_, GetParam());
+    addRow(GetParam(), block_.value("source", ""), exact_, test::estimateMean(picture));
+}
 
 TEST_P(Verify, WrongTwinIsRejected) {
     const json& twin = block_.at("twin");
