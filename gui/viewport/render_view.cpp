@@ -1,5 +1,6 @@
 #include "gui/viewport/render_view.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QWheelEvent>
 #include <algorithm>
@@ -226,6 +227,10 @@ bool RenderView::event(QEvent* event) {
         event->accept();
         return true;
     }
+    if (event->type() == QEvent::ShortcutOverride && keypadAction(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+    }
     if (event->type() == QEvent::ScreenChangeInternal) updateSize();
     return QWidget::event(event);
 }
@@ -252,7 +257,16 @@ void RenderView::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
 }
 
+// Under X11 Qt takes a digit of the keypad for one of the row above the letters if that has an action, too.
+QAction* RenderView::keypadAction(const QKeyEvent& event) const {
+    if (gesture_ || !(event.modifiers() & Qt::KeypadModifier)) return nullptr;
+    for (QAction* action : window()->actions())
+        if (action->isEnabled() && action->shortcuts().contains(QKeySequence(event.keyCombination()))) return action;
+    return nullptr;
+}
+
 void RenderView::keyPressEvent(QKeyEvent* event) {
+    if (QAction* action = keypadAction(*event)) return action->trigger();
     if (regionComes_ && event->key() == Qt::Key_Escape) {
         cancelGesture();
         return;

@@ -9,6 +9,8 @@
 #include "gui/viewport/gesture.h"
 #include "gui/widgets/eyedropper.h"
 
+class QAction;
+
 namespace glint {
 
 class SelectionOutline;
@@ -72,6 +74,8 @@ class RenderView : public QWidget, public PictureSource {
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
+    /// The window's action that has this key of the keypad; none for other keys.
+    [[nodiscard]] QAction* keypadAction(const QKeyEvent& event) const;
     [[nodiscard]] std::unique_ptr<Gesture> gestureFor(const QMouseEvent& event);
     void endGesture(const Pointer& pointer);
     void updateHover(const QPointF& at);

@@ -14,7 +14,7 @@
 
 namespace glint {
 
-QString shortNumber(double value) { return QString::number(value == 0 ? 0.0 : value, 'g', 6); }
+QString shortNumber(double value, int digits) { return QString::number(value == 0 ? 0.0 : value, 'g', digits); }
 
 QString shownUnit(const QString& unit) {
     if (unit == "deg") return QStringLiteral("°");
@@ -67,8 +67,21 @@ void DragNumber::showValue() {
     }
     const QString unit = shownUnit(unit_);
     const bool tight = unit == QStringLiteral("°") || unit == "%";
-    setText(shortNumber(*value_) + (unit.isEmpty() ? QString() : tight ? unit : " " + unit));
+    const QString behind = unit.isEmpty() ? QString() : tight ? unit : " " + unit;
+    // Fewer digits rather than a number that is cut: the whole one is there to type.
+    constexpr int kMargin = 6, kFewestDigits = 3;
+    QString text = shortNumber(*value_) + behind;
+    for (int digits = kShownDigits - 1; digits >= kFewestDigits && isVisible() && !range_.integer; --digits) {
+        if (fontMetrics().horizontalAdvance(text) + kMargin <= width()) break;
+        text = shortNumber(*value_, digits) + behind;
+    }
+    setText(text);
     setCursorPosition(0);
+}
+
+void DragNumber::resizeEvent(QResizeEvent* event) {
+    QLineEdit::resizeEvent(event);
+    if (state_ != State::Typing && !isRefused()) showValue();
 }
 
 QSize DragNumber::minimumSizeHint() const {

@@ -55,6 +55,7 @@ class DragNumber : public QLineEdit {
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     bool event(QEvent* event) override;
 
   private:
@@ -79,8 +80,10 @@ class DragNumber : public QLineEdit {
     double dragStart_ = 0, dragged_ = 0;
 };
 
-/// The number as fields show it: up to six digits.
-[[nodiscard]] QString shortNumber(double value);
+/// As many digits as fields show where there is room.
+inline constexpr int kShownDigits = 6;
+/// The number with up to so many digits.
+[[nodiscard]] QString shortNumber(double value, int digits = kShownDigits);
 /// Unit of a field table as a person reads it: "deg" -> "°", "m2" -> "m²".
 [[nodiscard]] QString shownUnit(const QString& unit);
 

@@ -371,6 +371,28 @@ class WindowTest : public QObject {
         QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
         QVERIFY(window->document().scene().camera == start);
     }
+    void digitsOfTheKeypadTurnTheViewAndThoseAboveTheLettersChooseChannels() {
+        const auto window = openWindow(lit(smallScene()));
+        window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window.get()));  // Shortcuts are the active window's.
+        window->view().setFocus();
+        QTest::keyClick(&window->view(), Qt::Key_7, Qt::KeypadModifier);
+        const Camera above = window->document().scene().viewCamera();
+        QVERIFY(glm::normalize(above.target - above.position).y < -0.999);
+        QCOMPARE(window->renderer().channel(), Channel::Beauty);
+        QTest::keyClick(&window->view(), Qt::Key_7);
+        QCOMPARE(window->renderer().channel(), Channel::Samples);
+    }
+    void numbersLoseDigitsRatherThanBeingCut() {
+        DragNumber number;
+        number.resize(200, 24);
+        number.show();
+        number.setValue(-12.3457);
+        QCOMPARE(number.text(), QStringLiteral("-12.3457"));
+        number.resize(number.fontMetrics().horizontalAdvance("-12.3") + 8, 24);
+        QCOMPARE(number.text(), QStringLiteral("-12.3"));
+        QCOMPARE(number.value(), -12.3457);
+    }
 };
 
 }  // namespace glint
