@@ -173,6 +173,7 @@ void MainWindow::buildDocks() {
     auto* history = new QUndoView(&document_.undoStack(), this);
     history->setEmptyLabel(tr("As opened"));
     history->setAccessibleName(tr("History"));
+    history->setUniformItemSizes(true);  // Else every step measures all others.
     QDockWidget* objects = addDock("objects", tr("Objects"), objects_, Qt::LeftDockWidgetArea);
     QDockWidget* materials = addDock("materials", tr("Materials"), materials_, Qt::LeftDockWidgetArea);
     QDockWidget* environment = addDock("environment", tr("Environment"), environment_, Qt::LeftDockWidgetArea);
