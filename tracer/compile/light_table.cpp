@@ -8,12 +8,6 @@ namespace glint {
 
 namespace {
 
-/// Densities per solid angle change by this factor from a shape's local space to the world: |det M| / |M w|^3.
-double solidAngleScale(const ShapeInstance& shape, const DVec3& wi) {
-    const double length = glm::length(shape.localVector(wi));
-    return std::abs(glm::determinant(shape.localFromWorld)) / (length * length * length);
-}
-
 /// Of a lamp that is a ball. A dielectric's boundary is met by the media's rules.
 double lampRadius(const ShapeInstance& shape) { return shape.dielectric ? 0 : ballRadius(shape); }
 
@@ -42,12 +36,13 @@ LightSample sampleRectangle(const CompiledLight& light, const ShapeInstance& sha
     return {s.direction, s.distance, light.emission, s.pdf, light.shape};
 }
 
-/// Any shape, in its local space.
+/// Any shape, by its own sampling.
 LightSample sampleArea(const CompiledLight& light, const ShapeInstance& shape, const Ray& from, const MediaStack& media,
                        const DVec2& u) {
     const DVec3 localOrigin = shape.localPoint(from.origin);
+    const Viewpoint view(localOrigin, shape.worldFromLocal);
     const DirectionSample s =
-        std::visit([&](const auto& canonical) { return canonical.sampleDirection(localOrigin, u); }, shape.shape);
+        std::visit([&](const auto& canonical) { return canonical.sampleDirection(view, u); }, shape.shape);
     if (!(s.pdf > 0)) return {};
     Ray ray = from;
     ray.direction = glm::normalize(shape.worldFromLocal * s.direction);
@@ -63,7 +58,7 @@ LightSample sampleArea(const CompiledLight& light, const ShapeInstance& shape, c
             shape.shape);
         if (!fromOutside) return {};
     }
-    return {ray.direction, hit.t, light.emission, s.pdf * solidAngleScale(shape, ray.direction), light.shape};
+    return {ray.direction, hit.t, light.emission, s.pdf, light.shape};
 }
 
 LightSample samplePoint(const CompiledLight& light, const DVec3& from) {
@@ -159,12 +154,9 @@ double lightPdf(const LightTable& lights, const std::vector<ShapeInstance>& shap
     const ShapeInstance& shape = shapes[light.shape];
     if (const double radius = lampRadius(shape); radius > 0) return sphereDirectionPdf(shape.center - from, radius);
     if (isRectangle(shape)) return QuadLight(shape, from).pdf(wi);
-    const double local = std::visit(
-        [&](const auto& canonical) {
-            return canonical.pdfDirection(shape.localPoint(from), glm::normalize(shape.localVector(wi)));
-        },
-        shape.shape);
-    return local * solidAngleScale(shape, wi);
+    const Viewpoint view(shape.localPoint(from), shape.worldFromLocal);
+    const DVec3 d = glm::normalize(shape.localVector(wi));
+    return std::visit([&](const auto& canonical) { return canonical.pdfDirection(view, d); }, shape.shape);
 }
 
 }  // namespace glint

@@ -11,13 +11,6 @@
 
 namespace glint {
 
-/// The place in [0, 1] at which a density that goes linearly from a to b has the share `u` of its
-/// integral before it; a + b > 0.
-[[nodiscard]] inline double invertLinearDensity(double u, double a, double b) {
-    const double denominator = a + std::sqrt(std::max(0.0, (1 - u) * a * a + u * b * b));
-    return denominator > 0 ? std::min(1.0, u * (a + b) / denominator) : 0.0;
-}
-
 class QuadLight {
   public:
     /// `quad` passes isRectangle().

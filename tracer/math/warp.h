@@ -25,6 +25,13 @@ struct DirectionSample {
     return q & 2 ? DVec2(-a, -b) : DVec2(a, b);
 }
 
+/// The place in [0, 1] at which a density that goes linearly from a to b has the share `u` of its
+/// integral before it; a + b > 0.
+[[nodiscard]] inline double invertLinearDensity(double u, double a, double b) {
+    const double denominator = a + std::sqrt(std::max(0.0, (1 - u) * a * a + u * b * b));
+    return denominator > 0 ? std::min(1.0, u * (a + b) / denominator) : 0.0;
+}
+
 /// Uniform over the sphere of directions.
 [[nodiscard]] inline DVec3 uniformSphere(const DVec2& u) {
     const double z = 1 - 2 * u.x, r = std::sqrt(std::max(0.0, 1 - z * z));

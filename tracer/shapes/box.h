@@ -5,6 +5,7 @@
 
 #include "tracer/base/reflect.h"
 #include "tracer/shapes/crossing.h"
+#include "tracer/shapes/side_view.h"
 #include "tracer/shapes/spherical_quad.h"
 
 namespace glint {
@@ -57,33 +58,38 @@ struct CanonicalBox {
         return {(p[(axis + 1) % 3] + 1) / 2, (p[(axis + 2) % 3] + 1) / 2};
     }
 
-    /// From outside: the faces in view, by solid angle. From inside: all directions.
-    [[nodiscard]] DirectionSample sampleDirection(const DVec3& o, const DVec2& u) const {
-        const Visible visible(o);
-        if (visible.count == 0) return {uniformSphere(u), kUniformSpherePdf};
+    /// From outside: the faces in view, uniform in their solid angle (of the world, but for shear).
+    /// From inside: all directions.
+    [[nodiscard]] DirectionSample sampleDirection(const Viewpoint& view, const DVec2& u) const {
+        const Visible visible(view);
+        if (visible.count == 0)
+            return visible.sides.toShape(view, {uniformSphere(u), kUniformSpherePdf});
         double pick = u.x * visible.total;
         std::size_t i = 0;
         while (i + 1 < visible.count && pick >= visible.solidAngle[i])
             pick -= visible.solidAngle[i++];
         const double share = visible.solidAngle[i];
         if (!(share > 0)) return {};
-        DirectionSample s = visible.quad(i).sample({std::clamp(pick / share, 0.0, 1.0), u.y});
+        const DirectionSample s = visible.quad(i).sample({std::clamp(pick / share, 0.0, 1.0), u.y});
         const int axis = visible.axis[i];
         DVec3 direction;
         direction[(axis + 1) % 3] = s.direction.x;
         direction[(axis + 2) % 3] = s.direction.y;
         direction[axis] = s.direction.z;
-        return {direction, s.pdf * share / visible.total};
+        return visible.sides.toShape(view, {direction, s.pdf * share / visible.total});
     }
-    [[nodiscard]] double pdfDirection(const DVec3& o, const DVec3& d) const {
-        const Visible visible(o);
-        if (visible.count == 0) return kUniformSpherePdf;
-        const int face = span(o, d).face0;
+    [[nodiscard]] double pdfDirection(const Viewpoint& view, const DVec3& d) const {
+        const Visible visible(view);
+        if (visible.count == 0) return visible.sides.worldDensity(view, d, kUniformSpherePdf);
+        const int face = span(view.origin, d).face0;
         for (std::size_t i = 0; i < visible.count; ++i) {
             const int axis = visible.axis[i];
             if (axis != face / 2 || !(visible.solidAngle[i] > 0)) continue;
-            const DVec3 turned(d[(axis + 1) % 3], d[(axis + 2) % 3], d[axis]);
-            return visible.quad(i).pdf(turned) * visible.solidAngle[i] / visible.total;
+            const DVec3 e = visible.sides.direction(d),
+                        turned(e[(axis + 1) % 3], e[(axis + 2) % 3], e[axis]);
+            const double density =
+                visible.quad(i).pdf(turned) * visible.solidAngle[i] / visible.total;
+            return visible.sides.worldDensity(view, d, density);
         }
         return 0;
     }
@@ -91,9 +97,9 @@ struct CanonicalBox {
   private:
     /// The at most three faces that a point outside can see.
     struct Visible {
-        explicit Visible(const DVec3& o) : origin(o) {
+        explicit Visible(const Viewpoint& view) : sides(view) {
             for (int a = 0; a < 3; ++a) {
-                if (!(std::abs(o[a]) > 1)) continue;
+                if (!(std::abs(view.origin[a]) > 1)) continue;
                 axis[count] = a;
                 solidAngle[count] = quad(count).solidAngle();
                 total += solidAngle[count++];
@@ -101,10 +107,11 @@ struct CanonicalBox {
         }
         [[nodiscard]] SphericalQuad quad(std::size_t i) const {
             const int a = axis[i], b = (a + 1) % 3, c = (a + 2) % 3;
-            return {-1 - origin[b], -1 - origin[c], 1 - origin[b], 1 - origin[c],
-                    std::copysign(1.0, origin[a]) - origin[a]};
+            const DVec3 &o = sides.origin, &half = sides.half;
+            return {-half[b] - o[b], -half[c] - o[c], half[b] - o[b], half[c] - o[c],
+                    std::copysign(half[a], o[a]) - o[a]};
         }
-        DVec3 origin;
+        SideView sides;
         std::array<int, 3> axis{};
         std::array<double, 3> solidAngle{};
         std::size_t count = 0;

@@ -4,7 +4,7 @@
 
 #include "tracer/base/reflect.h"
 #include "tracer/shapes/crossing.h"
-#include "tracer/shapes/visible_area.h"
+#include "tracer/shapes/round_view.h"
 
 namespace glint {
 
@@ -53,53 +53,62 @@ struct CanonicalCone {
         return {(p.x + 1) / 2, (1 - p.z) / 2};
     }
 
-    /// From outside: uniform over the area in view, of which every point is reached. From inside:
-    /// all directions.
-    [[nodiscard]] DirectionSample sampleDirection(const DVec3& o, const DVec2& u) const {
-        const Visible visible(o);
-        const double total = visible.sideArea + visible.baseArea;
-        if (!(total > 0)) return {uniformSphere(u), kUniformSpherePdf};
-        const double pick = u.x * total;
-        if (pick < visible.sideArea) {
-            const double phi =
-                std::atan2(o.x, o.z) + visible.halfAngle * (2 * pick / visible.sideArea - 1);
-            const double r = std::sqrt(u.y), sine = std::sin(phi), cosine = std::cos(phi);
-            return towardsArea(o, {r * sine, 1 - 2 * r, r * cosine},
-                               glm::normalize(DVec3(sine, 0.5, cosine)), 1 / total);
-        }
-        const DVec2 q =
-            concentricDisk({std::min((pick - visible.sideArea) / visible.baseArea, 1.0), u.y});
-        return towardsArea(o, {q.x, -1, q.y}, {0, -1, 0}, 1 / total);
+    /// From outside: the mantle, even in the angle about the line to the apex and in the cosine of
+    /// the angle off it, and the base where it is in view. From inside: all directions.
+    [[nodiscard]] DirectionSample sampleDirection(const Viewpoint& view, const DVec2& u) const {
+        return look(view).sample(u);
     }
-    [[nodiscard]] double pdfDirection(const DVec3& o, const DVec3& d) const {
-        const Visible visible(o);
-        const double total = visible.sideArea + visible.baseArea;
-        if (!(total > 0)) return kUniformSpherePdf;
-        const Span s = span(o, d);
-        if (s.empty()) return 0;
-        const DVec3 n = glm::normalize(normal(project(o + s.t0 * d, s.face0), s.face0));
-        return areaPdfTowards(d, s.t0, n, 1 / total);
+    [[nodiscard]] double pdfDirection(const Viewpoint& view, const DVec3& d) const {
+        return look(view).pdf(*this, span(view.origin, d), d);
     }
 
   private:
     /// Of the angle between the mantle's normal and the horizontal: 2 / sqrt(5).
     static constexpr double kMantleCosine = 2 * 0.44721359549995793928;
-    static constexpr double kSlantLength = 2.23606797749978969641;  ///< sqrt(5)
 
-    /// The areas that a point outside can see; both 0 from inside.
-    struct Visible {
-        explicit Visible(const DVec3& o) {
-            const double r = std::hypot(o.x, o.z), aboveApex = o.y - 1;
-            // A line of the mantle at the angle phi from the point's own is in view if r cos(phi) +
-            // aboveApex / 2 > 0.
-            if (r > -aboveApex / 2)
-                halfAngle = r > aboveApex / 2 ? std::acos(-aboveApex / (2 * r)) : kPi;
-            sideArea = halfAngle * kSlantLength;
-            if (o.y < -1) baseArea = kPi;
+    /// The straight lines of the mantle, from the apex to the base.
+    struct Side {
+        const Viewpoint& view;
+        DVec3 toApex;  ///< unit, in the world
+        double apexDistance;
+
+        /// A line's components off the line to the apex and along it, and sin^2 of half the angle
+        /// between apex and base.
+        struct Wedge {
+            double across, along, sine2;
+        };
+        [[nodiscard]] Wedge wedge(const MantleView::Generator& line) const {
+            const DVec3 down = view.worldFromLocal * DVec3(line.sine, -2, line.cosine);
+            const double across = glm::length(line.point), along = glm::dot(down, toApex);
+            const double sine = std::sin(std::atan2(across, apexDistance + along) / 2);
+            return {across, along, sine * sine};
         }
-        double halfAngle = 0;  ///< of the arc of the mantle in view
-        double sideArea = 0, baseArea = 0;
+        [[nodiscard]] double width(const MantleView::Generator& line) const {
+            return 2 * wedge(line).sine2;
+        }
+        [[nodiscard]] DVec3 place(const MantleView::Generator& line, double u) const {
+            const Wedge w = wedge(line);
+            const double sine2 = u * w.sine2, cosine = 1 - 2 * sine2,
+                         sine = 2 * std::sqrt(sine2 * (1 - sine2));
+            const double s = apexDistance * sine / (w.across * cosine - w.along * sine);
+            const double down = s >= 0 && s <= 1 ? s : 1;
+            return {down * line.sine, 1 - 2 * down, down * line.cosine};
+        }
     };
+    static RoundView<Side> look(const Viewpoint& view) {
+        const DVec3 toApex = view.toWorld({0, 1, 0});
+        const double distance = glm::length(toApex);
+        const double r = std::hypot(view.origin.x, view.origin.z), aboveApex = view.origin.y - 1;
+        // A line of the mantle at the angle phi from the point's own is in view if r cos(phi) +
+        // aboveApex / 2 > 0.
+        std::optional<MantleView> mantle;
+        if (r > -aboveApex / 2 && distance > 0)
+            mantle.emplace(toApex / distance, -2.0 * view.worldFromLocal[1], view,
+                           r > aboveApex / 2 ? std::acos(-aboveApex / (2 * r)) : kPi);
+        std::optional<DiskView> base;
+        if (view.origin.y < -1) base.emplace(view, -1.0);
+        return {view, Side{view, toApex / distance, distance}, mantle, base};
+    }
 
     /// The span inside the lower nappe x^2 + z^2 <= ((1-y)/2)^2, y <= 1, solved about the point of
     /// the line closest to the apex, where the coefficients are small.

@@ -3,7 +3,7 @@
 
 #include "tracer/base/reflect.h"
 #include "tracer/shapes/crossing.h"
-#include "tracer/shapes/visible_area.h"
+#include "tracer/shapes/round_view.h"
 
 namespace glint {
 
@@ -52,44 +52,46 @@ struct CanonicalCylinder {
         return {(p.x + 1) / 2, (1 - p.z) / 2};
     }
 
-    /// From outside: uniform over the area in view, of which every point is reached. From inside:
-    /// all directions.
-    [[nodiscard]] DirectionSample sampleDirection(const DVec3& o, const DVec2& u) const {
-        const Visible visible(o);
-        const double total = visible.sideArea + visible.capArea;
-        if (!(total > 0)) return {uniformSphere(u), kUniformSpherePdf};
-        const double pick = u.x * total;
-        if (pick < visible.sideArea) {
-            const double phi =
-                std::atan2(o.x, o.z) + visible.halfAngle * (2 * pick / visible.sideArea - 1);
-            const DVec3 n(std::sin(phi), 0, std::cos(phi));
-            return towardsArea(o, {n.x, 2 * u.y - 1, n.z}, n, 1 / total);
-        }
-        const double up = std::copysign(1.0, o.y);
-        const DVec2 q =
-            concentricDisk({std::min((pick - visible.sideArea) / visible.capArea, 1.0), u.y});
-        return towardsArea(o, {q.x, up, q.y}, {0, up, 0}, 1 / total);
+    /// From outside: the side, even in the angle about the axis and in the sine of the elevation
+    /// over it, and the cap in view. From inside: all directions.
+    [[nodiscard]] DirectionSample sampleDirection(const Viewpoint& view, const DVec2& u) const {
+        return look(view).sample(u);
     }
-    [[nodiscard]] double pdfDirection(const DVec3& o, const DVec3& d) const {
-        const Visible visible(o);
-        const double total = visible.sideArea + visible.capArea;
-        if (!(total > 0)) return kUniformSpherePdf;
-        const Span s = span(o, d);
-        if (s.empty()) return 0;
-        return areaPdfTowards(d, s.t0, normal(project(o + s.t0 * d, s.face0), s.face0), 1 / total);
+    [[nodiscard]] double pdfDirection(const Viewpoint& view, const DVec3& d) const {
+        return look(view).pdf(*this, span(view.origin, d), d);
     }
 
   private:
-    /// The areas that a point outside can see; both 0 from inside.
-    struct Visible {
-        explicit Visible(const DVec3& o) {
-            const double r = std::hypot(o.x, o.z);
-            if (r > 1) halfAngle = std::acos(1 / r), sideArea = 4 * halfAngle;
-            if (std::abs(o.y) > 1) capArea = kPi;
+    /// The straight lines of the side, along the axis.
+    struct Side {
+        const Viewpoint& view;
+        double axisLength;  ///< of half the cylinder, in the world
+
+        [[nodiscard]] SolidStrip strip(const MantleView::Generator& line) const {
+            const DVec3 middle = view.toWorld({line.sine, 0, line.cosine});
+            const double z = glm::dot(middle, view.worldFromLocal[1]) / axisLength;
+            return {glm::dot(line.point, line.point), z - axisLength, z + axisLength};
         }
-        double halfAngle = 0;  ///< of the arc of the side in view
-        double sideArea = 0, capArea = 0;
+        [[nodiscard]] double width(const MantleView::Generator& line) const {
+            return strip(line).sines();
+        }
+        [[nodiscard]] DVec3 place(const MantleView::Generator& line, double u) const {
+            const SolidStrip s = strip(line);
+            const double y = 2 * (s.sample(u) - s.z0) / (s.z1 - s.z0) - 1;
+            return {line.sine, std::clamp(y, -1.0, 1.0), line.cosine};
+        }
     };
+    static RoundView<Side> look(const Viewpoint& view) {
+        const Side side{view, glm::length(view.worldFromLocal[1])};
+        const double r = std::hypot(view.origin.x, view.origin.z);
+        std::optional<MantleView> mantle;
+        if (r > 1)
+            mantle.emplace(view.worldFromLocal[1] / side.axisLength, view.toWorld(DVec3(0.0)), view,
+                           std::atan(std::sqrt((r - 1) * (r + 1))));
+        std::optional<DiskView> cap;
+        if (std::abs(view.origin.y) > 1) cap.emplace(view, std::copysign(1.0, view.origin.y));
+        return {view, side, mantle, cap};
+    }
 
     /// The span inside the endless tube, by the perpendicular discriminant in its cross-section.
     static Span tube(const DVec3& o, const DVec3& d) {

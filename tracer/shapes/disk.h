@@ -2,8 +2,8 @@
 #pragma once
 
 #include "tracer/base/reflect.h"
-#include "tracer/math/warp.h"
 #include "tracer/shapes/crossing.h"
+#include "tracer/shapes/disk_view.h"
 
 namespace glint {
 
@@ -26,18 +26,13 @@ struct CanonicalDisk {
     /// Of the square around it: u along x, v along -z.
     [[nodiscard]] DVec2 uv(const DVec3& p, int) const { return {(p.x + 1) / 2, (1 - p.z) / 2}; }
 
-    /// Uniform by area.
-    [[nodiscard]] DirectionSample sampleDirection(const DVec3& o, const DVec2& u) const {
-        if (o.y == 0) return {};
-        const DVec2 q = concentricDisk(u);
-        const DVec3 to = DVec3(q.x, 0, q.y) - o;
-        const DVec3 direction = to / glm::length(to);
-        return {direction, pdfDirection(o, direction)};
+    [[nodiscard]] DirectionSample sampleDirection(const Viewpoint& view, const DVec2& u) const {
+        const DiskView::Sample s = DiskView(view, 0).sample(u);
+        return view.towards(s.point, s.pdf);
     }
-    [[nodiscard]] double pdfDirection(const DVec3& o, const DVec3& d) const {
+    [[nodiscard]] double pdfDirection(const Viewpoint& view, const DVec3& d) const {
         if (d.y == 0) return 0;
-        const double t = -o.y / d.y;
-        return t * t / (kPi * std::abs(d.y));
+        return DiskView(view, 0).pdf(view.origin - view.origin.y / d.y * d);
     }
 };
 

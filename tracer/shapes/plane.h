@@ -4,6 +4,7 @@
 #include "tracer/base/reflect.h"
 #include "tracer/math/warp.h"
 #include "tracer/shapes/crossing.h"
+#include "tracer/shapes/viewpoint.h"
 
 namespace glint {
 
@@ -25,8 +26,10 @@ struct CanonicalPlane {
     /// Local x and -z, unbounded.
     [[nodiscard]] DVec2 uv(const DVec3& p, int) const { return {p.x, -p.z}; }
     /// A plane never emits: the file format forbids it.
-    [[nodiscard]] DirectionSample sampleDirection(const DVec3&, const DVec2&) const { return {}; }
-    [[nodiscard]] double pdfDirection(const DVec3&, const DVec3&) const { return 0; }
+    [[nodiscard]] DirectionSample sampleDirection(const Viewpoint&, const DVec2&) const {
+        return {};
+    }
+    [[nodiscard]] double pdfDirection(const Viewpoint&, const DVec3&) const { return 0; }
 };
 
 struct Plane {

@@ -3,6 +3,7 @@
 
 #include "tracer/base/reflect.h"
 #include "tracer/shapes/crossing.h"
+#include "tracer/shapes/side_view.h"
 #include "tracer/shapes/spherical_quad.h"
 
 namespace glint {
@@ -24,19 +25,25 @@ struct CanonicalQuad {
     [[nodiscard]] DVec3 normal(const DVec3&, int) const { return {0, 1, 0}; }
     /// Over [0,1]^2: u along x, v along -z.
     [[nodiscard]] DVec2 uv(const DVec3& p, int) const { return {(p.x + 1) / 2, (1 - p.z) / 2}; }
-    [[nodiscard]] DirectionSample sampleDirection(const DVec3& o, const DVec2& u) const {
-        DirectionSample s = seenFrom(o).sample(u);
-        s.direction = {s.direction.x, s.direction.z, s.direction.y};
-        return s;
+    /// Uniform in the solid angle of the space in which the sides have their lengths in the world:
+    /// that of the world, but for shear.
+    [[nodiscard]] DirectionSample sampleDirection(const Viewpoint& view, const DVec2& u) const {
+        const SideView sides(view);
+        const DirectionSample s = quadFrom(sides).sample(u);
+        if (!(s.pdf > 0)) return {};
+        return sides.toShape(view, {{s.direction.x, s.direction.z, s.direction.y}, s.pdf});
     }
-    [[nodiscard]] double pdfDirection(const DVec3& o, const DVec3& d) const {
-        return seenFrom(o).pdf({d.x, d.z, d.y});
+    [[nodiscard]] double pdfDirection(const Viewpoint& view, const DVec3& d) const {
+        const SideView sides(view);
+        const DVec3 e = sides.direction(d);
+        return sides.worldDensity(view, d, quadFrom(sides).pdf({e.x, e.z, e.y}));
     }
 
   private:
     /// With y and z exchanged, as SphericalQuad wants it.
-    static SphericalQuad seenFrom(const DVec3& o) {
-        return {-1 - o.x, -1 - o.z, 1 - o.x, 1 - o.z, -o.y};
+    static SphericalQuad quadFrom(const SideView& sides) {
+        const DVec3 &o = sides.origin, &half = sides.half;
+        return {-half.x - o.x, -half.z - o.z, half.x - o.x, half.z - o.z, -o.y};
     }
 };
 

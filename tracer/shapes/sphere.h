@@ -4,6 +4,7 @@
 #include "tracer/base/reflect.h"
 #include "tracer/math/warp.h"
 #include "tracer/shapes/crossing.h"
+#include "tracer/shapes/disk_view.h"
 
 namespace glint {
 
@@ -38,12 +39,51 @@ struct CanonicalSphere {
         return {std::atan2(p.x, p.z) / (2 * kPi) + 0.5,
                 std::acos(std::clamp(p.y, -1.0, 1.0)) / kPi};
     }
-    [[nodiscard]] DirectionSample sampleDirection(const DVec3& o, const DVec2& u) const {
-        return sampleSphereDirection(-o, 1.0, u);
+    /// From outside: towards the disk that the ball's outline spans, which fills the same
+    /// directions, also of an ellipsoid. From inside: all directions.
+    [[nodiscard]] DirectionSample sampleDirection(const Viewpoint& view, const DVec2& u) const {
+        if (!(glm::dot(view.origin, view.origin) > 1)) {
+            const DVec3 d = uniformSphere(u);
+            return {d, view.worldDensity(d, kUniformSpherePdf)};
+        }
+        const Outline outline(view);
+        const DiskView::Sample s = outline.disk.sample(u);
+        if (!(s.pdf > 0)) return {};
+        return {glm::normalize(outline.shapeFromDisk * (s.point - outline.place.origin)), s.pdf};
     }
-    [[nodiscard]] double pdfDirection(const DVec3& o, const DVec3&) const {
-        return sphereDirectionPdf(-o, 1.0);
+    [[nodiscard]] double pdfDirection(const Viewpoint& view, const DVec3& d) const {
+        if (!(glm::dot(view.origin, view.origin) > 1))
+            return view.worldDensity(d, kUniformSpherePdf);
+        const Outline outline(view);
+        const double cosine = -glm::dot(d, outline.shapeFromDisk[1]);
+        if (!(cosine > 0)) return 0;
+        const double t = (outline.place.origin.y - outline.height) / cosine;
+        const auto across = [&](int axis) {
+            return t * glm::dot(d, outline.shapeFromDisk[axis]) / outline.radius2;
+        };
+        return outline.disk.pdf({across(0), outline.height, across(2)});
     }
+
+  private:
+    /// The circle where lines of sight touch the ball, in a space of its own: the unit disk about
+    /// the y axis, on which the point lies.
+    struct Outline {
+        explicit Outline(const Viewpoint& view)
+            : distance(glm::length(view.origin)),
+              height(1 / distance),
+              radius2((distance - 1) * (distance + 1) * height * height),
+              shapeFromDisk(axes(view.origin / distance, std::sqrt(radius2))),
+              place({0, distance, 0}, view.worldFromLocal * shapeFromDisk),
+              disk(place, height) {}
+        static DMat3 axes(const DVec3& toPoint, double radius) {
+            const Frame frame(toPoint);
+            return {radius * frame.s, toPoint, radius * frame.t};
+        }
+        double distance, height, radius2;
+        DMat3 shapeFromDisk;
+        Viewpoint place;  ///< the point, as the disk sees it
+        DiskView disk;
+    };
 };
 
 struct Sphere {

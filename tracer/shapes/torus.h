@@ -5,8 +5,9 @@
 
 #include "tracer/base/reflect.h"
 #include "tracer/math/polynomial.h"
+#include "tracer/math/warp.h"
 #include "tracer/shapes/crossing.h"
-#include "tracer/shapes/visible_area.h"
+#include "tracer/shapes/viewpoint.h"
 
 namespace glint {
 
@@ -45,15 +46,17 @@ struct CanonicalTorus {
 
     /// Towards a point of the surface, uniform in both angles. Every direction drawn reaches the
     /// torus, first at that point or at another; its density counts all of them.
-    [[nodiscard]] DirectionSample sampleDirection(const DVec3& o, const DVec2& u) const {
+    [[nodiscard]] DirectionSample sampleDirection(const Viewpoint& view, const DVec2& u) const {
         const double phi = 2 * kPi * u.x, theta = tubeHalfAngle() * (2 * u.y - 1),
                      r = 1 + ratio * std::cos(theta);
-        const DVec3 to = DVec3(r * std::sin(phi), ratio * std::sin(theta), r * std::cos(phi)) - o;
+        const DVec3 to =
+            DVec3(r * std::sin(phi), ratio * std::sin(theta), r * std::cos(phi)) - view.origin;
         const double distance = glm::length(to);
         if (!(distance > 0)) return {};
-        return {to / distance, pdfDirection(o, to / distance)};
+        return {to / distance, pdfDirection(view, to / distance)};
     }
-    [[nodiscard]] double pdfDirection(const DVec3& o, const DVec3& d) const {
+    [[nodiscard]] double pdfDirection(const Viewpoint& view, const DVec3& d) const {
+        const DVec3& o = view.origin;
         const Roots<4> hits = crossings(o, d);
         double sum = 0;
         for (int i = 0; i < hits.count; ++i) {
@@ -62,7 +65,7 @@ struct CanonicalTorus {
             const double cosine = std::abs(glm::dot(d, normal(p, 0))) / ratio;
             sum += hits[i] * hits[i] / (cosine * std::hypot(p.x, p.z));
         }
-        return sum / (4 * kPi * ratio * tubeHalfAngle());
+        return view.worldDensity(d, sum / (4 * kPi * ratio * tubeHalfAngle()));
     }
 
   private:
