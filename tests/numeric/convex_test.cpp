@@ -11,27 +11,15 @@ using namespace test;
 using ShapesFull = FullRun;
 
 Tally throwAt(const CanonicalShape& shape, std::uint64_t count, double distance) {
-    return tallyInParallel(count, 2, [=](Random& random, std::uint64_t n) {
-        Tally tally;
-        ShapeInstance instance;
-        ShapeLists lists;
-        for (std::uint64_t i = 0; i < n; ++i) {
-            if (i % 64 == 0) {
-                instance = makeInstance(shape, randomLinear(random) * random.logUniform(1e-3, 1e3),
-                                        random.inCube(1));
-                lists = ShapeLists({instance});
-            }
-            DVec3 from = distance * random.direction();
-            // Along an axis, in a face's plane, down the axis itself: exact zeros in the direction.
+    return checkHits(
+        count, 2, [=](Random& random) { return randomInstance(random, shape); },
+        [=](Random& random) {
+            const DVec3 from = distance * random.direction();
             DVec3 to = random.next() % 2 == 0 ? rimPoint(random, shape) : random.inCube(1.2);
+            // Along an axis, in a face's plane, down the axis itself: exact zeros in the direction.
             if (random.next() % 8 == 0) to = from, to[static_cast<int>(random.next() % 3)] *= -1;
-            checkHit(instance, lists,
-                     rayTo(instance.center + instance.worldFromLocal * from,
-                           instance.center + instance.worldFromLocal * to),
-                     tally);
-        }
-        return tally;
-    });
+            return LocalRay{from, to};
+        });
 }
 
 void expectAgreement(std::uint64_t count) {
@@ -67,27 +55,14 @@ SidePoint sidePoint(Random& random, const CanonicalShape& shape) {
 
 /// Rays that are nearly tangent to a curved side: they pass it at 0.999 to 1.00001 of its radius.
 Tally graze(const CanonicalShape& shape, std::uint64_t count, double distance) {
-    return tallyInParallel(count, 4, [=](Random& random, std::uint64_t n) {
-        Tally tally;
-        ShapeInstance instance;
-        ShapeLists lists;
-        for (std::uint64_t i = 0; i < n; ++i) {
-            if (i % 64 == 0) {
-                instance = makeInstance(shape, randomLinear(random) * random.logUniform(1e-3, 1e3),
-                                        random.inCube(1));
-                lists = ShapeLists({instance});
-            }
+    return checkHits(
+        count, 4, [=](Random& random) { return randomInstance(random, shape); },
+        [=](Random& random) {
             const SidePoint side = sidePoint(random, shape);
             const DVec3 along = glm::normalize(glm::cross(side.normal, random.direction()));
-            const DVec3 to = side.at - random.uniform(-1e-5, 1e-3) * side.normal,
-                        from = to - distance * along;
-            checkHit(instance, lists,
-                     rayTo(instance.center + instance.worldFromLocal * from,
-                           instance.center + instance.worldFromLocal * to),
-                     tally);
-        }
-        return tally;
-    });
+            const DVec3 to = side.at - random.uniform(-1e-5, 1e-3) * side.normal;
+            return LocalRay{to - distance * along, to};
+        });
 }
 
 void expectGrazing(std::uint64_t count) {
@@ -117,25 +92,17 @@ DMat3 extremeLinear(Random& random) {
 }
 
 Tally throwAtNeedles(const CanonicalShape& shape, std::uint64_t count) {
-    return tallyInParallel(count, 14, [=](Random& random, std::uint64_t n) {
-        Tally tally;
-        ShapeInstance instance;
-        ShapeLists lists;
-        for (std::uint64_t i = 0; i < n; ++i) {
-            if (i % 64 == 0) {
-                instance = makeInstance(shape, extremeLinear(random), random.inCube(10));
-                lists = ShapeLists({instance, makeInstance(CanonicalSphere{}, DMat3(1e-9),
-                                                           DVec3(1e9))});  // Two: with the filter.
-            }
-            const DVec3 from = random.logUniform(1.1, 100) * random.direction(),
-                        to = random.next() % 2 == 0 ? rimPoint(random, shape) : random.inCube(1.2);
-            checkHit(instance, lists,
-                     rayTo(instance.center + instance.worldFromLocal * from,
-                           instance.center + instance.worldFromLocal * to),
-                     tally);
-        }
-        return tally;
-    });
+    return checkHits(
+        count, 14,
+        [=](Random& random) {
+            return makeInstance(shape, extremeLinear(random), random.inCube(10));
+        },
+        [=](Random& random) {
+            const DVec3 from = random.logUniform(1.1, 100) * random.direction();
+            return LocalRay{from,
+                            random.next() % 2 == 0 ? rimPoint(random, shape) : random.inCube(1.2)};
+        },
+        Company::OneFarOff);
 }
 
 void expectNeedles(std::uint64_t count) {

@@ -11,30 +11,16 @@ using namespace test;
 using TorusFull = FullRun;
 
 Tally throwAtTori(std::uint64_t count, double ratio, double distance) {
-    return tallyInParallel(count, 5, [=](Random& random, std::uint64_t n) {
-        Tally tally;
-        ShapeInstance torus;
-        ShapeLists lists;
-        for (std::uint64_t i = 0; i < n; ++i) {
-            if (i % 64 == 0) {
-                torus = makeInstance(CanonicalTorus{ratio},
-                                     randomLinear(random) * random.logUniform(1e-3, 1e3),
-                                     random.inCube(1));
-                lists = ShapeLists({torus});
-            }
+    return checkHits(
+        count, 5, [=](Random& random) { return randomInstance(random, CanonicalTorus{ratio}); },
+        [=](Random& random) {
             // Aimed at the tube, so that thin ones are hit at all.
             const double phi = random.uniform(0, 2 * kPi),
                          r = 1 + 1.2 * ratio * random.uniform(-1, 1);
-            const DVec3 from = distance * random.direction(),
-                        to(r * std::cos(phi), 1.2 * ratio * random.uniform(-1, 1),
-                           r * std::sin(phi));
-            checkHit(torus, lists,
-                     rayTo(torus.center + torus.worldFromLocal * from,
-                           torus.center + torus.worldFromLocal * to),
-                     tally);
-        }
-        return tally;
-    });
+            const DVec3 from = distance * random.direction();
+            return LocalRay{from, DVec3(r * std::cos(phi), 1.2 * ratio * random.uniform(-1, 1),
+                                        r * std::sin(phi))};
+        });
 }
 
 void expectTori(std::uint64_t count) {

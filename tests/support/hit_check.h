@@ -94,4 +94,44 @@ inline void checkHit(const ShapeInstance& instance, const ShapeLists& lists, con
                " exact=" + (exact ? std::to_string(static_cast<double>(*exact)) : "miss"));
 }
 
+/// A shape somewhere, turned, stretched and sheared as randomLinear() says, of any size from 1e-3
+/// to 1e3.
+[[nodiscard]] inline ShapeInstance randomInstance(Random& random, const CanonicalShape& shape) {
+    return makeInstance(shape, randomLinear(random) * random.logUniform(1e-3, 1e3),
+                        random.inCube(1));
+}
+
+/// A ray by two places of a shape's canonical space.
+struct LocalRay {
+    DVec3 from, to;
+};
+/// checkHit() of `count` rays: a new instance from `place(random)` for every 64, rays towards it
+/// from `aim(random)`. With `company` a second shape stands far off, so that the lists are
+/// filtered.
+enum class Company { None, OneFarOff };
+template <class Place, class Aim>
+[[nodiscard]] Tally checkHits(std::uint64_t count, std::uint64_t seed, const Place& place,
+                              const Aim& aim, Company company = Company::None) {
+    return tallyInParallel(count, seed, [=](Random& random, std::uint64_t n) {
+        Tally tally;
+        ShapeInstance instance;
+        ShapeLists lists;
+        for (std::uint64_t i = 0; i < n; ++i) {
+            if (i % 64 == 0) {
+                instance = place(random);
+                std::vector<ShapeInstance> all{instance};
+                if (company == Company::OneFarOff)
+                    all.push_back(makeInstance(CanonicalSphere{}, DMat3(1e-9), DVec3(1e9)));
+                lists = ShapeLists(all);
+            }
+            const LocalRay ray = aim(random);
+            checkHit(instance, lists,
+                     rayTo(instance.center + instance.worldFromLocal * ray.from,
+                           instance.center + instance.worldFromLocal * ray.to),
+                     tally);
+        }
+        return tally;
+    });
+}
+
 }  // namespace glint::test
