@@ -56,7 +56,7 @@ Status ExportJob::renderFrame(const Scene& scene, int frame, const std::filesyst
     if (!compiled.ok()) return compiled.error();
     RenderRequest request = requestFor(request_.picture);
     request.stop = &stop_;
-    if (const auto problem = memoryProblem(*compiled.value().scene, request.layers)) return *problem;
+    if (const auto problem = memoryProblem(*compiled.value().scene, request)) return *problem;
     request.pause = &pause_;
     request.progress = [&](const RenderProgress& p) {
         const double whole = p.fraction > 0 ? p.seconds / p.fraction : 0;

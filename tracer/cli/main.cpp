@@ -169,7 +169,7 @@ ExitCode run(const Options& options) {
     if (!compiled) return fail(compiled.error(), ExitCode::Scene);
     if (reportWarnings(compiled.value())) return ExitCode::Scene;
     if (options.pixel) return printPixel(*compiled.value().scene, scene.value(), *options.pixel, options.quiet);
-    if (const auto problem = memoryProblem(*compiled.value().scene, options.picture.layers)) return fail(*problem, ExitCode::Scene);
+    if (const auto problem = memoryProblem(*compiled.value().scene, requestFor(options.picture))) return fail(*problem, ExitCode::Scene);
     return renderToFiles(options, scene.value(), compiled.value(), secondsSince(start), stop);
 }
 

@@ -117,13 +117,19 @@ std::size_t Film::bytes() const {
 
 Image Film::image() const {
     Image out{width_, height_, {}};
-    out.rgb.reserve(3 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-    for (int y = 0; y < height_; ++y)
-        for (int x = 0; x < width_; ++x) {
-            const Rgb mean = at(x, y).mean();
-            out.rgb.insert(out.rgb.end(), {mean.x, mean.y, mean.z});
-        }
+    out.rgb.resize(3 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    paint({0, 0, width_, height_}, out);
     return out;
+}
+
+void Film::paint(const PixelRect& rect, Image& picture) const {
+    for (int y = rect.y; y < rect.y + rect.height; ++y) {
+        float* to = &picture.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(rect.x))];
+        for (int x = rect.x; x < rect.x + rect.width; ++x) {
+            const Rgb mean = at(x, y).mean();
+            for (const float value : {mean.x, mean.y, mean.z}) *to++ = value;
+        }
+    }
 }
 
 }  // namespace glint

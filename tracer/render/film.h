@@ -81,6 +81,8 @@ class Film {
     [[nodiscard]] std::size_t bytes() const;
     /// Means of all pixels.
     [[nodiscard]] Image image() const;
+    /// Puts the means of a rectangle into a picture of the film's size.
+    void paint(const PixelRect& rect, Image& picture) const;
 
   private:
     static constexpr std::size_t kPixels = static_cast<std::size_t>(kTile) * kTile;

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "tracer/render/adaptive.h"
+#include "tracer/render/bands.h"
 #include "tracer/render/edge_plan.h"
 #include "tracer/render/preview_filter.h"
 #include "tracer/render/scheduler.h"
@@ -26,6 +27,8 @@ std::optional<double> freeMemory() {
     return std::nullopt;
 }
 
+double bytesFor(const RenderRequest& request) { return request.memory > 0 ? request.memory : freeMemory().value_or(kInfinity); }
+
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Runs the passes of one render on the calling thread and reports.
@@ -41,7 +44,8 @@ class HeadlessRender {
             layers_.emplace(scene->film.width, scene->film.height, request.layers ? LayerFilm::Content::All : LayerFilm::Content::Coverage);
     }
 
-    Rendering run() {
+    /// Puts what is rendered into `picture`, which has the film's size; the rendering's own beauty stays empty.
+    Rendering run(Image& picture) {
         flushDenormals();
         Scheduler scheduler(pool_, wantedFeatures());
         // A request to stop and the end of the time are an epoch that moves; a thread of its own watches for them.
@@ -58,6 +62,7 @@ class HeadlessRender {
             complete = pass(scheduler);
             report();
         }
+        film_.paint(rect_, picture);
         return finish(stopped || (!complete && !timeIsUp()));
     }
 
@@ -155,7 +160,6 @@ class HeadlessRender {
 
     Rendering finish(bool interrupted) {
         Rendering out;
-        out.beauty = film_.image();
         if (request_.filter) out.filtered = filtered();
         if (request_.alpha) out.alpha = layers_->coverage();
         if (request_.layers) {
@@ -213,22 +217,22 @@ class HeadlessRender {
 
 }  // namespace
 
-std::optional<Error> memoryProblem(const RenderScene& scene, bool layers) {
-    // The film, the picture made of it, and its planes or bytes for the file.
-    constexpr double kBytesAPixel = Film::kBytesAPixel + 2 * 3 * sizeof(float), kBytesOfLayers = 300;
-    const double pixels = static_cast<double>(scene.film.width) * scene.film.height,
-                 needed = pixels * (kBytesAPixel + (layers ? kBytesOfLayers : 0));
-    const auto free = freeMemory();
-    if (!free || needed <= *free) return std::nullopt;
-    const auto gigabytes = [](double bytes) { return std::to_string(static_cast<std::int64_t>(std::ceil(bytes / 1e9))) + " GB"; };
-    return Error{.message = "a picture of " + std::to_string(scene.film.width) + " x " + std::to_string(scene.film.height) +
-                            " pixels needs " + gigabytes(needed) + " of memory; " + gigabytes(*free) + " are free",
-                 .pointer = "/film",
-                 .remedy = layers ? "render it smaller, or without layers" : "render it smaller"};
+std::optional<Error> memoryProblem(const RenderScene& scene, const RenderRequest& request) {
+    const Result<int> rows = rowsAtOnce(scene, request, bytesFor(request));
+    return rows ? std::nullopt : std::optional(rows.error());
 }
 
 Rendering render(const std::shared_ptr<const RenderScene>& scene, const RenderRequest& request) {
-    return HeadlessRender(scene, request).run();
+    const auto renderPart = [&](const RenderRequest& part, Image& picture) { return HeadlessRender(scene, part).run(picture); };
+    const int height = request.crop ? request.crop->height : scene->film.height;
+    // What does not fit is memoryProblem()'s to refuse; who has not asked gets what the system makes of it.
+    const Result<int> rows = rowsAtOnce(*scene, request, bytesFor(request));
+    if (rows && rows.value() < height) return renderInBands(*scene, request, rows.value(), renderPart);
+    Image picture{scene->film.width, scene->film.height, {}};
+    picture.rgb.resize(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+    Rendering out = renderPart(request, picture);
+    out.beauty = std::move(picture);
+    return out;
 }
 
 Rgb renderSample(const RenderScene& scene, const SamplePlace& place) {

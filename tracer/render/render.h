@@ -61,6 +61,7 @@ struct RenderRequest {
     KernelChoice kernel = KernelChoice::Smallest;
     bool alpha = false;               ///< fill Rendering::alpha
     bool filter = false;              ///< fill Rendering::filtered
+    double memory = 0;                ///< bytes to use at most; 0: what the system has free
     std::function<void(const RenderProgress&)> progress;  ///< called a few times a second on the calling thread
 };
 
@@ -84,9 +85,10 @@ struct Rendering {
 
 /// Why this machine cannot render the picture: it needs more memory than is free. Asked before rendering, for a system that
 /// runs out of memory ends programs without a word.
-[[nodiscard]] std::optional<Error> memoryProblem(const RenderScene& scene, bool layers);
+[[nodiscard]] std::optional<Error> memoryProblem(const RenderScene& scene, const RenderRequest& request);
 
-/// Renders until the scene's own stop rule (samples, time, error) is met. Bit-identical for every number of threads.
+/// Renders until the scene's own stop rule (samples, time, error) is met. Bit-identical for every number of threads. A film that
+/// does not fit into memory is rendered in bands of rows, one after the other, where the rule is the number of samples alone.
 [[nodiscard]] Rendering render(const std::shared_ptr<const RenderScene>& scene, const RenderRequest& request);
 
 /// The value of one sample of one pixel, as the render computes it.
