@@ -21,7 +21,8 @@ class ScalarLists {
                     if constexpr (std::is_same_v<Canonical, CanonicalSphere>) {
                         if (const double scale = similarityScale(instance.localFromWorld);
                             scale > 0) {
-                            balls_.push_back({instance.center, scale, index, instance.dielectric});
+                            balls_.push_back({instance.center, DMat3(scale), shape, scale, index,
+                                              instance.dielectric});
                             return;
                         }
                     }
@@ -37,14 +38,23 @@ class ScalarLists {
                                    double tMax = kInfinity) const {
         ShapeHit best{tMax, kNoShape, 0};
         double bestOrder = tMax;
+        bool bestIsDielectric = false;
+        const double place = coordinateSum(ray.origin);
         forEach([&](const auto& entry) {
             const Start start = startOf(ray, media, entry.index, entry.dielectric);
             const Crossing c = firstHit(entry, ray, start);
-            const double order = hitOrder(c.t, ray, start, entry.dielectric);
-            if (order < bestOrder ||
-                (order == bestOrder && best.found() && entry.index < best.shape)) {
+            double order = hitOrder(c.t, ray, start, entry.dielectric), other = bestOrder;
+            if (!(order < tMax)) return false;
+            const bool mayTie =
+                best.found() && std::abs(order - other) < kTieRange * (other + place);
+            if (mayTie) {
+                if (!entry.dielectric) order = tieOrder(placed(entry), ray, c);
+                if (!bestIsDielectric) other = tieOrderOf(best, ray);
+            }
+            if (order < other || (order == other && best.found() && entry.index < best.shape)) {
                 best = {c.t, entry.index, c.face};
-                bestOrder = order;
+                bestOrder = hitOrder(c.t, ray, start, entry.dielectric);
+                bestIsDielectric = entry.dielectric;
             }
             return false;
         });
@@ -70,6 +80,8 @@ class ScalarLists {
     };
     struct Ball {
         DVec3 center;
+        DMat3 localFromWorld;
+        CanonicalSphere shape;
         double inverseRadius;
         std::uint32_t index;
         bool dielectric;
@@ -84,14 +96,27 @@ class ScalarLists {
                    ? std::sqrt(s)
                    : 0;
     }
+    template <class Entry>
+    static auto placed(const Entry& e) {
+        return Placed<decltype(e.shape)>{e.shape, e.localFromWorld, e.center, e.index};
+    }
     static Crossing firstHit(const Ball& ball, const Ray& ray, Start start) {
-        return CanonicalSphere{}.first((ray.origin - ball.center) * ball.inverseRadius,
-                                       ray.direction * ball.inverseRadius, start);
+        return firstHitOf(placed(ball), ray, (ray.origin - ball.center) * ball.inverseRadius,
+                          ray.direction * ball.inverseRadius, start);
     }
     template <class Canonical>
     static Crossing firstHit(const Entry<Canonical>& entry, const Ray& ray, Start start) {
-        return entry.shape.first(entry.localFromWorld * (ray.origin - entry.center),
-                                 entry.localFromWorld * ray.direction, start);
+        return firstHitOf(placed(entry), ray, entry.localFromWorld * (ray.origin - entry.center),
+                          entry.localFromWorld * ray.direction, start);
+    }
+    [[nodiscard]] double tieOrderOf(const ShapeHit& hit, const Ray& ray) const {
+        double order = 0;
+        forEach([&](const auto& entry) {
+            if (entry.index != hit.shape) return false;
+            order = tieOrder(placed(entry), ray, Crossing{hit.t, hit.face});
+            return true;
+        });
+        return order;
     }
     /// Until visit(entry) is true.
     template <class Visit>

@@ -22,14 +22,11 @@ enum class Fit {
 /// x rounded up to float, also where floats below 1.2e-38 are flushed to 0.
 float roundUp(double x) { return static_cast<float>(x * (1 + 1e-7)); }
 
-/// At least the largest coordinate. Without branches, which random rays would mispredict.
-double farthest(const DVec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
-
 /// Fills everything of `out` but the limit. `length` is the direction's, exactly 1 where it is near
 /// enough to it.
 [[gnu::always_inline]] inline Fit prepare(const Ray& ray, double reach, Coordinates coordinates,
                                           FilterRay& out, double& length) {
-    const double length2 = glm::dot(ray.direction, ray.direction), far = farthest(ray.origin);
+    const double length2 = glm::dot(ray.direction, ray.direction), far = coordinateSum(ray.origin);
     DVec3 direction = ray.direction;
     length = 1;
     if (!(std::abs(length2 - 1) <= kUnitTolerance) || !(far <= kFilterRange)) {
@@ -84,18 +81,35 @@ struct ShapeLists::Asking {
 // The two questions. Both are passed by value, so that they live in registers.
 
 struct ShapeLists::Nearest {
-    ShapeHit best;
-    double bestOrder;
-    [[nodiscard]] double limit() const { return bestOrder; }
+    const ShapeLists* lists;
+    double place, tMax;  ///< of the ray's origin; hits from tMax on are none
+    ShapeHit best{tMax, kNoShape, 0};
+    double bestOrder = tMax;
+    bool bestIsDielectric = false;
+
+    /// Hits this far from the best one may coincide with it.
+    [[nodiscard]] double range() const { return kTieRange * (bestOrder + place); }
+    [[nodiscard]] double limit() const { return best.found() ? std::min(tMax, bestOrder + range()) : tMax; }
     [[nodiscard]] static bool done() { return false; }
     template <class Shape>
     void decide(const Shape& shape, const Ray& ray, Start start) {
         const Crossing c = firstHit(shape, ray, start);
         const double order = hitOrder(c.t, ray, start, shape.dielectric);
-        if (order < bestOrder || (order == bestOrder && best.found() && shape.index < best.shape)) {
-            best = {c.t, shape.index, c.face};
-            bestOrder = order;
+        if (!(order < limit())) {
+            if (!(order == bestOrder && best.found() && shape.index < best.shape)) return;
+        } else if (best.found() && order > bestOrder - range()) {
+            if (!winsTie(c, order, shape.index, shape.dielectric, ray)) return;
         }
+        best = {c.t, shape.index, c.face};
+        bestOrder = order;
+        bestIsDielectric = shape.dielectric;
+    }
+    /// Media have their own rule, hitOrder(), which is an order of numbers too.
+    [[nodiscard, gnu::noinline]] bool winsTie(const Crossing& c, double order, std::uint32_t index,
+                                              bool dielectric, const Ray& ray) const {
+        const double mine = dielectric ? order : lists->tieOrderOf({c.t, index, c.face}, ray);
+        const double other = bestIsDielectric ? bestOrder : lists->tieOrderOf(best, ray);
+        return mine < other || (mine == other && index < best.shape);
     }
 };
 
@@ -111,17 +125,52 @@ struct ShapeLists::Any {
     }
 };
 
+/// use(placed) of the shape with that index.
+template <class Use>
+auto ShapeLists::withShape(std::uint32_t index, const Use& use) const {
+    const std::uint32_t slot = slotOf_[index];
+    if (slot < ballCount_) {
+        const CanonicalSphere sphere;
+        const DMat3 localFromWorld(balls_[slot].inverseRadius);
+        return use(Placed<CanonicalSphere>{sphere, localFromWorld, balls_[slot].center, index});
+    }
+    const Entry& entry = slot != kNoShape
+                             ? boxes_[slot - ballCount_]
+                             : *std::find_if(always_.begin(), always_.end(),
+                                             [&](const Entry& e) { return e.index == index; });
+    return std::visit(
+        [&]<class Shape>(const Shape& shape) {
+            return use(Placed<Shape>{shape, entry.localFromWorld, entry.center, index});
+        },
+        entry.shape);
+}
+
+double ShapeLists::tieOrderOf(const ShapeHit& hit, const Ray& ray) const {
+    return withShape(hit.shape, [&](const auto& placed) {
+        return tieOrder(placed, ray, Crossing{hit.t, hit.face});
+    });
+}
+
 /// Flattened: a call within costs as much as the sphere itself.
 [[gnu::flatten]] inline Crossing ShapeLists::firstHit(const Ball& ball, const Ray& ray,
                                                       Start start) {
-    return CanonicalSphere{}.first((ray.origin - ball.center) * ball.inverseRadius,
-                                   ray.direction * ball.inverseRadius, start);
+    const DVec3 o = (ray.origin - ball.center) * ball.inverseRadius,
+                d = ray.direction * ball.inverseRadius;
+    const CanonicalSphere sphere;
+    const DMat3 localFromWorld(ball.inverseRadius);
+    return firstHitOf(Placed<CanonicalSphere>{sphere, localFromWorld, ball.center, ball.index}, ray,
+                      o, d, start);
 }
 
 [[gnu::noinline]] Crossing ShapeLists::firstHit(const Entry& entry, const Ray& ray, Start start) {
     const DVec3 o = entry.localFromWorld * (ray.origin - entry.center),
                 d = entry.localFromWorld * ray.direction;
-    return std::visit([&](const auto& shape) { return shape.first(o, d, start); }, entry.shape);
+    return std::visit(
+        [&]<class Shape>(const Shape& shape) {
+            return firstHitOf(Placed<Shape>{shape, entry.localFromWorld, entry.center, entry.index},
+                              ray, o, d, start);
+        },
+        entry.shape);
 }
 
 /// Decides the shape of a slot that the path is neither on nor inside of.
@@ -230,8 +279,8 @@ template <class Question>
         return w.question.done() ? -1.0f : roundUp(w.question.limit() * w.asking.length);
     };
     ray.limit = roundUp(question.limit() * asking.length);
-    const WalkCounts counts = kernels_.walk(
-        {nodes_.data(), ballBlocks_.data(), boxBlocks_.data()}, ray, decideLeaf, &walk);
+    const WalkCounts counts = kernels_.walk({nodes_.data(), ballBlocks_.data(), boxBlocks_.data()},
+                                            ray, decideLeaf, &walk);
     asking.work[Work::NodeVisits] += counts.nodes;
     asking.work[Work::BallBlocks] += counts.ballBlocks;
     asking.work[Work::BoxBlocks] += counts.boxBlocks;
@@ -240,8 +289,7 @@ template <class Question>
 
 template <class Question>
 [[gnu::always_inline]] inline Question ShapeLists::ask(const Ray& ray, const MediaStack& media,
-                                                       Question question,
-                                                       WorkCounts& work) const {
+                                                       Question question, WorkCounts& work) const {
     Asking asking(ray, media, work);
     if (!always_.empty()) question = decideEach(asking, question, always_);
     if (question.done()) return question;
@@ -260,7 +308,8 @@ template <class Question>
 
 ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMax,
                              WorkCounts& work) const {
-    return ask(ray, media, Nearest{{tMax, kNoShape, 0}, tMax}, work).best;
+    const Nearest question{this, coordinateSum(ray.origin), tMax};
+    return ask(ray, media, question, work).best;
 }
 ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMax) const {
     WorkCounts uncounted;
@@ -286,9 +335,11 @@ ShapeLists::Memory ShapeLists::memory() const {
 Crossing hitShape(const ShapeInstance& instance, std::uint32_t index, const Ray& ray,
                   const MediaStack& media) {
     return std::visit(
-        [&](const auto& shape) {
-            return shape.first(instance.localPoint(ray.origin), instance.localVector(ray.direction),
-                               startOf(ray, media, index, instance.dielectric));
+        [&]<class Shape>(const Shape& shape) {
+            return firstHitOf(Placed<Shape>{shape, instance.localFromWorld, instance.center, index},
+                              ray, instance.localPoint(ray.origin),
+                              instance.localVector(ray.direction),
+                              startOf(ray, media, index, instance.dielectric));
         },
         instance.shape);
 }

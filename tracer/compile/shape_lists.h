@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tracer/base/work.h"
+#include "tracer/compile/coincidence.h"
 #include "tracer/compile/media.h"
 #include "tracer/compile/shape_blocks.h"
 #include "tracer/math/ray.h"
@@ -78,8 +79,8 @@ class ShapeLists {
     ShapeLists() = default;
     explicit ShapeLists(const std::vector<ShapeInstance>& instances);
 
-    /// The nearest hit with t < tMax. Of equal hits the shape with the lower index wins. Adds what
-    /// it took to `work`.
+    /// The nearest hit with t < tMax. Of hits that coincide up to rounding tieOrder() decides; of
+    /// equal ones the shape with the lower index wins. Adds what it took to `work`.
     [[nodiscard]] ShapeHit closest(const Ray& ray, const MediaStack& media, double tMax,
                                    WorkCounts& work) const;
     [[nodiscard]] ShapeHit closest(const Ray& ray, const MediaStack& media,
@@ -128,6 +129,10 @@ class ShapeLists {
     struct Asking;
     struct Nearest;
     struct Any;
+
+    template <class Use>
+    auto withShape(std::uint32_t index, const Use& use) const;
+    [[nodiscard]] double tieOrderOf(const ShapeHit& hit, const Ray& ray) const;
 
     static Crossing firstHit(const Ball& ball, const Ray& ray, Start start);
     static Crossing firstHit(const Entry& entry, const Ray& ray, Start start);

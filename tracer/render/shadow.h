@@ -18,11 +18,17 @@ template <Features F>
     return out;
 }
 
+/// Surfaces so near before a lamp, over the coordinates, count as coincident with it: kPlaceRounding for lamps seen at a
+/// thousandth of a right angle and more.
+inline constexpr double kLampRange = 0x1p-38;
+
 /// Share of light that comes along `ray` from `tMax` metres away. `light` does not shadow itself. At most `passes` surfaces
 /// may be gone through. With `tinted`, dielectrics let light pass unbent and only absorb (classic's transparent shadows).
 template <Features F>
 [[nodiscard]] Rgb shadowTransmittance(KernelState& state, Ray ray, MediaStack media, double tMax, std::uint32_t light, int passes, bool tinted) {
     const RenderScene& scene = state.scene;
+    // What a lamp lies flush with does not shadow it.
+    if (light != kNoShape) tMax -= kLampRange * (tMax + coordinateSum(ray.origin));
     Rgb share(1.0f);
     ++state.rays.shadow;
     const bool opaque = !has(F, Feature::NoSkips) && !has(scene.features, Feature::Straight);
