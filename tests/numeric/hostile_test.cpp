@@ -242,6 +242,41 @@ TEST(Hostile, SizesNearTheEndsOfDoubleAreLeftOutByName) {
     }
 }
 
+/// A hundred groups in each other, half of which undo the other half, mirrors and a stretch of 1e6
+/// to 1 among them: the ball is where it would be without.
+TEST(Hostile, AHundredNestedGroupsAreOneTransform) {
+    const auto picture = [](int depth) {
+        SceneBuilder b = litScene();
+        GroupId parent;
+        for (int i = 0; i < depth; ++i) {
+            const bool undo = i >= depth / 2;
+            const int k = undo ? depth - 1 - i : i;
+            const DVec3 scale =
+                k == 7 ? DVec3(1e6, 1, 1) : DVec3(k % 2 ? -1.25 : 0.8, 1, k % 3 ? 2 : 0.5);
+            const double angle = k % 5 == 0 ? 90 : 0;
+            // Out: turn after stretch; back: the stretch undone after the turn.
+            for (const bool turn : {undo, !undo}) {
+                Group group{.name = "G" + std::to_string(2 * i + (turn ? 1 : 0)), .parent = parent};
+                if (turn)
+                    group.transform.rotateDegrees.y = undo ? -angle : angle;
+                else
+                    group.transform.scale = undo ? 1.0 / scale : scale;
+                parent = b.scene().groups.add(group);
+            }
+        }
+        ObjectId id;
+        b.scene().objects.forEach([&](ObjectId each, const Object&) { id = each; });
+        Object ball = b.scene().objects.at(id);
+        ball.parent = parent;
+        b.scene().objects.set(id, ball);
+        return answerTo(b.scene());
+    };
+    const Answer plain = picture(0), nested = picture(100);
+    ASSERT_TRUE(nested.drawn) << nested.text;
+    EXPECT_EQ(nested.text, plain.text);
+    EXPECT_NEAR(meanOf(nested), meanOf(plain), 1e-4);
+}
+
 /// Fourteen balls of absorbing glass within each other, all of index 1: what is left of the sky
 /// depends on the way through the outermost alone.
 TEST(Hostile, ManyNestedMediaAreTracked) {

@@ -65,6 +65,81 @@ SceneBuilder stillLife(double size, const DVec3& away, int spp,
     return b;
 }
 
+/// Every material on every shape, a lamp of every shape, groups that shear and mirror, a computed
+/// sky with its sun, and a camera without perspective.
+SceneBuilder gallery(double size) {
+    SceneBuilder b;
+    const MaterialId matt = b.material(Diffuse{Color{0.6, 0.4, 0.3}}),
+                     glossy = b.material(Glossy{Color{0.2, 0.5, 0.3}, 1.5, 0.3});
+    const Color absorption{0.4 / size, 0.2 / size, 0.1 / size};
+    const std::vector<MaterialId> materials = {
+        matt,
+        glossy,
+        b.material(Mirror{}),
+        b.material(Metal{Color{0.9, 0.7, 0.3}, 0.0}),
+        b.material(Metal{Color{0.9, 0.7, 0.3}, 0.4}),
+        b.material(Glass{1.5, absorption}),
+        b.material(Glass{1.4, absorption, 0.3}),
+        b.material(Glass{1.5, Color{}, 0.0, true}),
+        b.material(Glass{1.5, Color{}, 0.4, true}),
+        b.material(Translucent{}),
+        b.material(Glossy{Color{0.2, 0.5, 0.3}, 1.5, 0.0}),
+        b.material(Phong{Color{0.5, 0.5, 0.8}, 0.5, 0.3, 32.0, 0.1, 0.1, 1.3, absorption}),
+        b.material(Mix{{.material = matt}, {.material = glossy}, 0.3})};
+    const std::vector<Shape> shapes = {Sphere{0.4 * size},
+                                       Box{size * DVec3(0.6, 0.7, 0.5)},
+                                       Quad{size * DVec2(0.8, 0.6)},
+                                       Disk{0.4 * size},
+                                       Cylinder{0.3 * size, 0.8 * size},
+                                       Cone{0.4 * size, 0.8 * size},
+                                       Torus{0.3 * size, 0.1 * size}};
+    b.object(Plane{}, matt, {0, -size, 0});
+    Group group{.name = "Lean"};
+    group.transform.rotateDegrees = {0, 20, 35};
+    group.transform.scale = {1.2, -0.7, 1};
+    const GroupId lean = b.scene().groups.add(group);
+    for (std::size_t i = 0; i < materials.size() * shapes.size(); ++i) {
+        const std::size_t column = i % materials.size(), row = i / materials.size();
+        const ObjectId id = b.object(
+            shapes[row], materials[(column + row) % materials.size()],
+            size * DVec3(static_cast<double>(column) - 6, static_cast<double>(row) - 3, 0));
+        Object object = b.scene().objects.at(id);
+        object.transform.rotateDegrees = {30.0 + static_cast<double>(i), 10, 0};
+        object.transform.scale = {1, 1.3, 0.8};
+        if (i % 3 == 0) object.parent = lean;
+        b.scene().objects.set(id, object);
+    }
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const ObjectId id = b.object(
+            shapes[i], {}, size * DVec3(2.0 * static_cast<double>(i) - 6, 4.5, 2), {5, 4, 3});
+        Object lamp = b.scene().objects.at(id);
+        lamp.transform.scale = {2, 0.5, 1};
+        b.scene().objects.set(id, lamp);
+    }
+    b.scene().environment.sky = Sky{};
+    b.camera(size * DVec3(1, 2, 14), DVec3(0.0), 40);
+    b.scene().camera.projection = Projection::Orthographic;
+    b.scene().camera.orthoHeight = 10 * size;
+    b.film(64, 40, 1);
+    return b;
+}
+
+void expectSameGallery(int step, int spp) {
+    const auto picture = [&](double size) {
+        SceneBuilder b = gallery(size);
+        b.film(64, 40, spp);
+        return b.render().beauty.rgb;
+    };
+    const std::vector<float> whole = picture(1);
+    test::Tally tally;
+    for (int k = -20; k <= 20; k += step) {
+        ++tally.checks;
+        if (picture(std::ldexp(1.0, k)) != whole) tally.fail("times 2^" + std::to_string(k));
+    }
+    tally.print("sizes, every material, shape and lamp");
+    EXPECT_EQ(tally.failures, 0u) << tally.first;
+}
+
 void expectSameBits(int step, int spp) {
     for (const Integrator integrator : {Integrator::Path, Integrator::Classic}) {
         const auto picture = [&](double size) {
@@ -82,8 +157,14 @@ void expectSameBits(int step, int spp) {
 }
 
 using ScaleFull = test::FullRun;
-TEST(Scale, APowerOfTwoLeavesEveryBit) { expectSameBits(5, 4); }
-TEST_F(ScaleFull, APowerOfTwoLeavesEveryBit) { expectSameBits(1, 4); }
+TEST(Scale, APowerOfTwoLeavesEveryBit) {
+    expectSameBits(5, 4);
+    expectSameGallery(10, 1);
+}
+TEST_F(ScaleFull, APowerOfTwoLeavesEveryBit) {
+    expectSameBits(1, 4);
+    expectSameGallery(1, 4);
+}
 
 /// What a camera sees first through each pixel's middle.
 struct Seen {
@@ -172,7 +253,8 @@ TEST(Interruption, CancelledAndResumedPassesGiveTheSameBits) {
     Scheduler scheduler(pool);
     Film whole(all.width, all.height), broken(all.width, all.height);
     RenderCounts counts;
-    ASSERT_EQ(scheduler.renderPass(*scene, whole, nullptr, all, 1, {.samples = 6}, {}, counts), PassResult::Done);
+    ASSERT_EQ(scheduler.renderPass(*scene, whole, nullptr, all, 1, {.samples = 6}, {}, counts),
+              PassResult::Done);
 
     std::atomic<std::uint64_t> epoch{0};
     int cancelled = 0;
@@ -186,8 +268,9 @@ TEST(Interruption, CancelledAndResumedPassesGiveTheSameBits) {
         // Coarse passes first, as the viewport does; each call takes up where the last one was
         // stopped.
         for (const int stride : {4, 1})
-            while (scheduler.renderPass(*scene, broken, nullptr, all, stride, {.samples = stride == 1 ? 6u : 1u},
-                                        {&epoch, epoch.load()}, counts) == PassResult::Cancelled)
+            while (scheduler.renderPass(*scene, broken, nullptr, all, stride,
+                                        {.samples = stride == 1 ? 6u : 1u}, {&epoch, epoch.load()},
+                                        counts) == PassResult::Cancelled)
                 ++cancelled;
     }
     EXPECT_GT(cancelled, 0) << "nothing was interrupted";
