@@ -273,5 +273,41 @@ TEST(CameraInGlass, IsFoundForEachRayOfAnOrthographicCamera) {
     EXPECT_NEAR(test::pixelAt(image, 6, 1).x, 2 * std::exp(-0.5 * 10), 1e-5);
 }
 
+TEST(CameraInGlass, OfNestedMediaIsInTheInnermost) {
+    for (const bool innerFirst : {true, false}) {
+        SceneBuilder b;
+        const MaterialId inner = b.material(Glass{1.0, grey(0.5)}), outer = b.material(Glass{1.0, grey(0.1)});
+        for (const bool addInner : {innerFirst, !innerFirst}) b.object(Sphere{addInner ? 1.0 : 3.0}, addInner ? inner : outer);
+        b.scene().environment.color = grey(2);
+        b.camera({0, 0, 0}, {0, 0, -1}, 1);
+        b.film(2, 2, 4);
+        EXPECT_NEAR(test::estimateMean(b.render().beauty).mean, 2 * std::exp(-0.5 * 1 - 0.1 * 2), 1e-5) << innerFirst;
+    }
+}
+
+TEST(NestedMedia, DeeperThanPathsFollowAreWarnedOf) {
+    for (const int depth : {16, 17}) {
+        SceneBuilder b;
+        const MaterialId glass = b.material(Glass{});
+        for (int i = 1; i <= depth; ++i) b.object(Sphere{0.1 * i}, glass);
+        AssetCache assets;
+        const auto compiled = compile(b.scene(), {}, assets);
+        ASSERT_TRUE(compiled);
+        EXPECT_EQ(compiled.value().warnings.size(), depth > 16 ? 1u : 0u);
+    }
+}
+
+TEST(ShadowRays, FindNoLampThatIsHiddenInGlass) {
+    SceneBuilder b;
+    Glass water{1.33};
+    water.priority = 1;
+    b.object(Plane{}, b.material(Diffuse{grey(0.5)}), {0, -2, 0});
+    b.object(Sphere{1}, b.material(water), {0, 0, 0});
+    b.object(Sphere{0.3}, b.material(Glass{1.5}), {0, 0, 0}, grey(5));  // The water fills its place.
+    b.camera({0, -1.5, 0}, {0, -2, 0}, 1);
+    b.film(4, 4, 64);
+    EXPECT_EQ(test::estimateMean(b.render().beauty).mean, 0);
+}
+
 }  // namespace
 }  // namespace glint
