@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace glint {
 
@@ -73,6 +75,36 @@ template <int Degree, class Function>
     return roots;
 }
 
+/// The first of these places beyond `after`; infinite if there is none. Those before are not refined.
+template <int Degree, class Function>
+[[nodiscard]] double firstSignChange(const Roots<Degree - 1>& critical, double lo, double hi,
+                                     double after, const Function& f) {
+    const double resolution = 0x1p-53 * (hi - lo);
+    double a = lo;
+    bool negativeA = f(lo).value < 0;
+    for (int i = 0; i <= critical.count; ++i) {
+        const double b = i < critical.count ? critical[i] : hi;
+        const bool negativeB = f(b).value < 0;
+        if (negativeA != negativeB && b > after)
+            if (const double x = refineRoot(f, a, b, negativeA, resolution); x > after) return x;
+        a = b, negativeA = negativeB;
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+/// Roots of c[0] + c[1] x + c[2] x^2 in [lo, hi] at which it changes sign, without cancellation.
+[[nodiscard]] inline Roots<2> quadraticRoots(const std::array<double, 3>& c, double lo, double hi) {
+    Roots<2> roots;
+    const double discriminant = c[1] * c[1] - 4 * c[0] * c[2];
+    if (!(discriminant > 0)) return roots;
+    const double q = -0.5 * (c[1] + std::copysign(std::sqrt(discriminant), c[1]));
+    double first = c[0] / q, second = q / c[2];
+    if (first > second) std::swap(first, second);
+    if (first >= lo && first <= hi) roots.add(first);
+    if (second >= lo && second <= hi) roots.add(second);
+    return roots;
+}
+
 /// All roots in [lo, hi] at which the polynomial changes sign.
 template <int Degree>
 [[nodiscard]] Roots<Degree> findRoots(const std::array<double, Degree + 1>& c, double lo,
@@ -81,6 +113,8 @@ template <int Degree>
         Roots<1> root;
         if (const double x = -c[0] / c[1]; x >= lo && x <= hi) root.add(x);
         return root;
+    } else if constexpr (Degree == 2) {
+        return quadraticRoots(c, lo, hi);
     } else {
         std::array<double, Degree> derivative{};
         for (std::size_t i = 0; i < Degree; ++i)

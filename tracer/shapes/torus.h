@@ -26,6 +26,7 @@ struct CanonicalTorus {
             hit.t /= length;
             return hit;
         }
+        if (start == Start::Elsewhere) return {firstAhead(o, d / length) / length};
         return select(crossings(o, d / length), length, start);
     }
     [[nodiscard]] bool inside(const DVec3& p) const {
@@ -89,20 +90,40 @@ struct CanonicalTorus {
     /// taken about the point of closest approach to the centre, where its coefficients are small:
     /// error below 1e-11 out to 1e4 major radii (tests/numeric/torus_test.cpp).
     [[nodiscard]] Roots<4> crossings(const DVec3& o, const DVec3& unit) const {
-        const double shift = -glm::dot(o, unit), reach = 1 + ratio;
-        const DVec3 p = o + shift * unit;
-        const double m = glm::dot(p, p), half2 = reach * reach - m;
-        if (!(half2 > 0)) return {};
-        const double k = m + 1 - ratio * ratio, w = unit.x * unit.x + unit.z * unit.z;
-        // The ends lie beyond the bounding sphere and so outside, whatever rounding does.
-        const double half = std::sqrt(half2) + ratio;
-        const auto critical = findRoots<3>(
-            {-8 * (p.x * unit.x + p.z * unit.z), 4 * k - 8 * w, 0.0, 4.0}, -half, half);
-        Roots<4> roots =
-            signChanges<4>(critical, -half, half, [&](double s) { return depth(p, unit, s); });
-        for (int i = 0; i < roots.count; ++i) roots.at[static_cast<std::size_t>(i)] += shift;
+        const Chord chord(o, unit, ratio);
+        if (!(chord.half > 0)) return {};
+        Roots<4> roots = signChanges<4>(chord.critical, -chord.half, chord.half,
+                                        [&](double s) { return depth(chord.p, unit, s); });
+        for (int i = 0; i < roots.count; ++i) roots.at[static_cast<std::size_t>(i)] += chord.shift;
         return roots;
     }
+    /// The first of them in front of `o`; infinite if there is none.
+    [[nodiscard]] double firstAhead(const DVec3& o, const DVec3& unit) const {
+        const Chord chord(o, unit, ratio);
+        if (!(chord.half > 0)) return kInfinity;
+        return chord.shift + firstSignChange<4>(chord.critical, -chord.half, chord.half, -chord.shift,
+                                                [&](double s) { return depth(chord.p, unit, s); });
+    }
+    /// The piece of a line that can meet the torus, about its point of closest approach to the
+    /// centre, and where the depth along it may turn.
+    struct Chord {
+        double shift, half = 0;
+        DVec3 p;
+        Roots<3> critical;
+
+        Chord(const DVec3& o, const DVec3& unit, double ratio)
+            : shift(-glm::dot(o, unit)), p(o + shift * unit) {
+            const double reach = 1 + ratio, m = glm::dot(p, p), half2 = reach * reach - m;
+            if (!(half2 > 0)) return;
+            // The ends lie beyond the bounding sphere and so outside, whatever rounding does.
+            half = std::sqrt(half2) + ratio;
+            if (shift + half < 0) half = 0;  // Behind the ray's start.
+            if (half == 0) return;
+            const double k = m + 1 - ratio * ratio, w = unit.x * unit.x + unit.z * unit.z;
+            critical = findRoots<3>(
+                {-8 * (p.x * unit.x + p.z * unit.z), 4 * k - 8 * w, 0.0, 4.0}, -half, half);
+        }
+    };
 
     /// The next crossing of a ray that starts on the surface: the line's root at 0 is divided out,
     /// so it can be neither met again nor taken for another.
