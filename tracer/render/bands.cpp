@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracer/render/edge_plan.h"
 #include "tracer/render/film.h"
 #include "tracer/render/stop_rule.h"
 
@@ -15,10 +14,10 @@ PixelRect rectOf(const RenderScene& scene, const RenderRequest& request) {
     return request.crop.value_or(PixelRect{0, 0, scene.film.width, scene.film.height});
 }
 
-/// Time and error are rules for a whole picture, and so is where its edges are; layers, alpha and the filter need its whole film.
+/// Time and error are rules for a whole picture; layers, alpha and the filter need its whole film.
 bool canBeInBands(const RenderScene& scene, const RenderRequest& request) {
     const bool byNumber = scene.settings.timeSeconds <= 0 && !samplesAdaptively(scene.settings);
-    return byNumber && !isPiecewiseSmooth(scene) && !request.layers && !request.alpha && !request.filter;
+    return byNumber && !request.layers && !request.alpha && !request.filter;
 }
 
 std::string gigabytes(double bytes) { return std::to_string(static_cast<std::int64_t>(std::ceil(bytes / 1e9))) + " GB"; }

@@ -154,7 +154,6 @@ class ClassicTracer {
         float chance = 1;
         if (next.importance < kDim) {
             chance = next.importance / kDim;
-            state_.tookChance = true;
             if (sampler_.block(sobol::mix(next.key) ^ sampleBlock(SampleUse::Bsdf, 0, 0)).x >= chance) return;
             next.weight /= chance;
             next.importance = kDim;

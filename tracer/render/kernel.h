@@ -38,7 +38,6 @@ struct KernelState {
     PathRecord* record = nullptr;   ///< if not null: filled by kernels with Feature::Layers, see path_record.h
     GroupLight* groups = nullptr;   ///< if not null: filled with the sample's light by group
     std::uint64_t materials = 0;    ///< set of the materials whose values the sample rests on, see materialBit()
-    bool tookChance = false;        ///< set by a classic sample that left something to Russian roulette
     WorkCounts work;
 
     /// To be asked at every path vertex.

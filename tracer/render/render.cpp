@@ -7,7 +7,6 @@
 
 #include "tracer/render/adaptive.h"
 #include "tracer/render/bands.h"
-#include "tracer/render/edge_plan.h"
 #include "tracer/render/preview_filter.h"
 #include "tracer/render/scheduler.h"
 #include "tracer/render/stop_rule.h"
@@ -53,11 +52,8 @@ class HeadlessRender {
         if (request_.stop || scene_.settings.timeSeconds > 0)
             watcher = std::jthread([this](const std::stop_token& end) { watch(end); });
         rect_ = request_.crop.value_or(PixelRect{0, 0, scene_.film.width, scene_.film.height});
-        // A part of a picture has the samples that it would have in the whole: the plan would need to see beyond it.
-        followsEdges_ = !request_.crop && !samplesAdaptively(scene_.settings) && isPiecewiseSmooth(scene_);
-        if (followsEdges_) chances_.assign(static_cast<std::size_t>(rect_.width) * static_cast<std::size_t>(rect_.height), 0);
         bool complete = true, stopped = false;
-        while (complete && !edgesDone_ && !isDone(scene_.settings, state()) && anotherSampleFits()) {
+        while (complete && !isDone(scene_.settings, state()) && anotherSampleFits()) {
             if ((stopped = !waitWhilePaused())) break;
             complete = pass(scheduler);
             report();
@@ -113,9 +109,6 @@ class HeadlessRender {
         if (samplesAdaptively(scene_.settings)) {
             if (goals_.empty()) goals_ = AdaptivePlan::next(film_, rect_, static_cast<std::uint32_t>(scene_.settings.spp));
             goal = {.tiles = &goals_, .most = static_cast<std::uint32_t>(most)};
-        } else if (followsEdges_) {
-            if (goals_.empty() && (edgesDone_ = !nextEdges())) return true;
-            goal = {.pixels = &goals_, .chances = &chances_, .most = static_cast<std::uint32_t>(most)};
         } else {
             goal.samples = static_cast<std::uint32_t>(std::min(scene_.settings.spp, done + most));
         }
@@ -127,15 +120,6 @@ class HeadlessRender {
         trend_.add(elapsed(), errors_.picture);
         if (result == PassResult::Done) goals_.clear();
         return result == PassResult::Done;
-    }
-
-    /// Makes the goals of the next stage of a picture that only edges keep from being done; false if there is none.
-    bool nextEdges() {
-        goals_ = edgeGoals(film_, rect_, chances_, static_cast<std::uint32_t>(scene_.settings.spp));
-        for (int y = 0; y < film_.height(); ++y)
-            for (int x = 0; x < film_.width(); ++x)
-                if (goals_[static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width()) + static_cast<std::size_t>(x)] > film_.samples(x, y)) return true;
-        return false;
     }
 
     [[nodiscard]] RenderProgressState state() const { return {elapsed(), errors_.meanSamples, errors_.leastSamples, errors_.picture}; }
@@ -166,9 +150,8 @@ class HeadlessRender {
             appendFilm(film_, out.layers);
             layers_->appendTo(out.layers, scene_.settings.integrator == Integrator::Path);
         }
-        // Where edges decide, the number that was asked for says which samples there are.
-        out.spp = edgesDone_ ? scene_.settings.spp : errors_.leastSamples;
-        out.even = edgesDone_ || errors_.meanSamples == errors_.leastSamples;
+        out.spp = errors_.leastSamples;
+        out.even = errors_.meanSamples == errors_.leastSamples;
         out.threads = pool_.threads();
         out.seconds = elapsed();
         out.error = errors_.picture;
@@ -207,9 +190,6 @@ class HeadlessRender {
     FilmErrors errors_;
     ErrorTrend trend_;
     std::vector<std::uint32_t> goals_;  ///< of the adaptive stage under way; empty: there is none
-    bool followsEdges_ = false;         ///< see edge_plan.h
-    bool edgesDone_ = false;
-    std::vector<std::uint8_t> chances_;  ///< SampleGoal's
     std::atomic<double> paused_{0};     ///< seconds; counted by run(), read by watch(), relaxed
     std::atomic<std::uint64_t> epoch_{0};  ///< moved by watch(); partner: the workers' CancelToken, relaxed
     std::atomic<bool> everyPixelHasASample_{false};  ///< partner: watch(), relaxed

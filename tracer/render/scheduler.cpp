@@ -58,17 +58,13 @@ class Pass {
   private:
     [[nodiscard]] int onGrid(int v) const { return (v + stride_ - 1) / stride_ * stride_; }
     [[nodiscard]] std::uint32_t goalAt(int x, int y) const {
-        if (goal_.pixels) return (*goal_.pixels)[indexOf(x, y)];
         if (!goal_.tiles) return goal_.samples;
         const int columns = (film_.width() + kErrorTile - 1) / kErrorTile;
         return (*goal_.tiles)[static_cast<std::size_t>(y / kErrorTile * columns + x / kErrorTile)];
     }
 
-    [[nodiscard]] std::size_t indexOf(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width()) + static_cast<std::size_t>(x); }
-
     void renderPixel(KernelState& state, int x, int y, WorkerCounts& own) {
         const std::uint32_t goal = goalAt(x, y), begin = film_.samples(x, y);
-        state.tookChance = false;
         for (std::uint32_t sample = begin; sample < goal; ++sample) {
             if (sample - begin >= goal_.most) {
                 own.partial = true;
@@ -88,7 +84,6 @@ class Pass {
                 if (state.groups) *state.groups = {};
             }
             if (layers_) layers_->add(x, y, *state.layers);
-            if (goal_.chances && state.tookChance) (*goal_.chances)[indexOf(x, y)] = 1;
             film_.add(x, y, value, state.groups ? *state.groups : GroupLight{}, state.materials);
         }
     }

@@ -21,8 +21,6 @@ struct RenderCounts {
 struct SampleGoal {
     std::uint32_t samples = 1;  ///< that every pixel is to have, unless `tiles` says it by tile
     const std::vector<std::uint32_t>* tiles = nullptr;  ///< the same for each tile of 8 x 8 pixels of the film, row-major
-    const std::vector<std::uint32_t>* pixels = nullptr;  ///< the same for each pixel of the film, row-major
-    std::vector<std::uint8_t>* chances = nullptr;  ///< with `pixels`: set to 1 for pixels with a sample that took a chance
     std::uint32_t most = ~0u;   ///< new samples that a pixel gets in this pass
 };
 

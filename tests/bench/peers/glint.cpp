@@ -28,9 +28,7 @@ class GlintRenderer final : public Renderer {
         scene->settings.spp = spp;
         scene->settings.seed = seed;
         const Stopwatch watch;
-        RenderRequest request{.threads = peer_.threads};
-        if (peer_.everyPixel) request.crop = PixelRect{0, 0, scene->film.width, scene->film.height};
-        Rendering rendering = glint::render(scene, request);
+        Rendering rendering = glint::render(scene, {.threads = peer_.threads});
         return TimedPicture{std::move(rendering.beauty), rendering.seconds, watch.processSeconds()};
     }
     [[nodiscard]] double setupSeconds() const override { return setupSeconds_; }

@@ -60,7 +60,7 @@ Status flattenEnvironment(Scene& scene, const fs::path& sceneFolder, const fs::p
 Result<PeerScene> loadPeerScene(const fs::path& file, int width, int threads, const fs::path& folder) {
     Result<Scene> loaded = loadScene(file);
     if (!loaded) return loaded.error();
-    PeerScene out{file.stem().string(), std::move(loaded).value(), threads, false, false, fs::absolute(folder)};
+    PeerScene out{file.stem().string(), std::move(loaded).value(), threads, false, fs::absolute(folder)};
     Scene& scene = out.scene;
     scaleFilm(scene, width);
     scene.film.filter = Filter::Box;

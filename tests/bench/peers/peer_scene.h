@@ -17,7 +17,6 @@ struct PeerScene {
     Scene scene;          ///< no groups, nothing hidden, every transform a matrix, one camera, a box filter, absolute paths; a computed sky is a picture
     int threads = 2;
     bool exact = false;   ///< peers are set up for the same picture, where that is dearer than the fastest similar one
-    bool everyPixel = false;  ///< Glint samples every pixel alike, also where only edges need it: for references
     std::filesystem::path folder;  ///< for files of this scene
 };
 

@@ -62,11 +62,7 @@ class WhittedComparison {
         notes_ = povray.value().notes();
         Result<std::unique_ptr<Renderer>> glint = startGlint(scene_);
         if (!glint) return glint.error();
-        PeerScene all = scene_;
-        all.everyPixel = true;
-        Result<std::unique_ptr<Renderer>> glintReference = startGlint(all);
-        if (!glintReference) return glintReference.error();
-        if (Status made = makeReferences(povray.value(), *glintReference.value()); !made) return made;
+        if (Status made = makeReferences(povray.value(), *glint.value()); !made) return made;
         for (int run = 0; run < options_.runs; ++run) {
             for (std::size_t i = 0; i < kQualities.size(); ++i) {
                 const PovrayQuality& q = kQualities[i];
