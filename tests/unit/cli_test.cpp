@@ -233,6 +233,18 @@ TEST_F(Cli, ExrTellsWhatItShows) {
     EXPECT_FALSE(metadata.at("glint:version").empty());
 }
 
+TEST_F(Cli, ClampedPicturesSayThatTheyAreBiased) {
+    const Outcome clamped = run({"scene.json", "-o", "clamped.exr", "--set", "/render/clamp=2"}), whole = run({"scene.json", "-o", "whole.exr"});
+    ASSERT_EQ(clamped.code, 0) << clamped.err;
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    EXPECT_NE(clamped.err.find("biased"), std::string::npos) << clamped.err;
+    EXPECT_EQ(whole.err.find("biased"), std::string::npos) << whole.err;
+    const auto a = loadRaw(folder_ / "clamped.exr"), b = loadRaw(folder_ / "whole.exr");
+    ASSERT_TRUE(a && b);
+    EXPECT_TRUE(a.value().metadata.contains("glint:biased"));
+    EXPECT_FALSE(b.value().metadata.contains("glint:biased"));
+}
+
 TEST_F(Cli, SettingsAndOptionsChangeTheScene) {
     expect(0, "",
            {"scene.json", "-o", "a.exr", "--size", "10x8", "--spp", "2", "--set",
