@@ -26,6 +26,12 @@ void describeFirst(const RenderScene& scene, const SurfacePoint& point, WorkCoun
     out.material = surface.material;
 }
 
+/// Light comes from the side of the surface that is looked at.
+bool shines(const RenderScene& scene, const SurfacePoint& point) {
+    const std::uint32_t light = point.instance(scene).light;
+    return light != ~0u && (point.outside || scene.lights.lights[light].twoSided);
+}
+
 }  // namespace
 
 GuideSample traceGuide(const RenderScene& scene, int x, int y, std::uint32_t sample) {
@@ -56,7 +62,8 @@ GuideSample traceGuide(const RenderScene& scene, int x, int y, std::uint32_t sam
             LayerSample surface;
             describeSurface(scene, point, surface, state.work);
             out.seenAlbedo *= surface.albedo;
-            out.seenNormal = point.outside ? surface.normal : -surface.normal;
+            const bool towardsRay = point.outside != shines(scene, point);
+            out.seenNormal = towardsRay ? surface.normal : -surface.normal;
             out.seenNearness = static_cast<float>(1 / way);
             return out;
         }

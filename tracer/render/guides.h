@@ -21,7 +21,7 @@ struct GuideSample {
     std::uint32_t object = 0, material = 0;  ///< as in LayerSample: 1-based, 0 is nothing
     // The first surface with a smooth part, seen through mirrors and clear glass by their brightest way.
     Rgb seenAlbedo{1.0f};      ///< tinted by what it is seen through; the tint alone where the sky is seen
-    Vec3 seenNormal{0.0f};     ///< towards the ray; for the sky against the ray
+    Vec3 seenNormal{0.0f};     ///< towards the ray; away from it for a lamp, which is so unlike the surface that it lies in; for the sky against the ray
     float seenNearness = 0;    ///< 1 / (length of the way there), per metre; 0 for the sky
 };
 

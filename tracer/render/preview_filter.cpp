@@ -29,12 +29,13 @@ void FilterPlane::resize(int width, int height) {
 void PreviewFilter::load(const Film& film, const GuideFilm& guides, int y) {
     for (int x = 0; x < planes_.width; ++x) {
         const GuideFilm::Pixel& guide = guides.at(x, y);
-        const Rgb albedo = divisor(guide), light = film.at(x, y).mean() / albedo;
+        const FilmPixel pixel = film.at(x, y);
+        const Rgb albedo = divisor(guide), light = pixel.mean() / albedo;
         for (int c = 0; c < 3; ++c) {
             planes_.light[0][c].row(y)[x] = light[c];
-            planes_.normal[c].row(y)[x] = film.samples(x, y) ? guide.seenNormal[c] : 0;
+            planes_.normal[c].row(y)[x] = pixel.samples ? guide.seenNormal[c] : 0;
         }
-        planes_.variance[0].row(y)[x] = varianceOf(film.at(x, y), albedo);
+        planes_.variance[0].row(y)[x] = varianceOf(pixel, albedo);
         planes_.nearness.row(y)[x] = guide.seenNearness;
     }
 }

@@ -114,24 +114,27 @@ void prepare(FilterPlanes& p, int y) {
     }
 }
 
-void step(FilterPlanes& p, int from, int distance, int y) {
-    constexpr float kSpline[3] = {3.0f / 8, 1.0f / 4, 1.0f / 16};
+/// `kRadius` 2: the cubic B-spline of Dammertz et al.; 1: the smaller one, which is enough for the nearest neighbours.
+template <int kRadius>
+void stepWithin(FilterPlanes& p, int from, int distance, int y) {
+    static constexpr float kSpline[2][3] = {{1.0f / 2, 1.0f / 4, 0}, {3.0f / 8, 1.0f / 4, 1.0f / 16}};
+    constexpr auto& kWeights = kSpline[kRadius - 1];
     const FilterPlane(&light)[3] = p.light[from];
     for (int x = 0; x < p.width; x += static_cast<int>(hn::Lanes(kTag))) {
         const Center center = centerAt(p, x, y, distance);
         const V r = at(light[0], x, y), g = at(light[1], x, y), b = at(light[2], x, y), variance = at(p.variance[from], x, y);
         const V l = luminanceOf(r, g, b);
         const V invNoise = hn::Div(set(1.0f), hn::MulAdd(hn::Sqrt(variance), set(kLuminanceTolerance), set(1e-12f)));
-        V w = set(kSpline[0] * kSpline[0]);
+        V w = set(kWeights[0] * kWeights[0]);
         V weights = w, sumR = hn::Mul(w, r), sumG = hn::Mul(w, g), sumB = hn::Mul(w, b), sumVariance = hn::Mul(hn::Mul(w, w), variance);
-        for (int j = -2; j <= 2; ++j)
-            for (int i = -2; i <= 2; ++i) {
+        for (int j = -kRadius; j <= kRadius; ++j)
+            for (int i = -kRadius; i <= kRadius; ++i) {
                 if (i == 0 && j == 0) continue;
                 const int dx = i * distance, dy = j * distance, nx = x + dx, ny = y + dy;
                 const V nr = at(light[0], nx, ny), ng = at(light[1], nx, ny), nb = at(light[2], nx, ny);
                 const V surface = surfaceDifference(p, center, nx, ny, static_cast<float>(dx), static_cast<float>(dy));
                 const V unlike = hn::MulAdd(hn::Abs(hn::Sub(luminanceOf(nr, ng, nb), l)), invNoise, surface);
-                w = hn::Mul(falloff(unlike), set(kSpline[std::abs(i)] * kSpline[std::abs(j)]));
+                w = hn::Mul(falloff(unlike), set(kWeights[std::abs(i)] * kWeights[std::abs(j)]));
                 weights = hn::Add(weights, w);
                 sumR = hn::MulAdd(w, nr, sumR);
                 sumG = hn::MulAdd(w, ng, sumG);
@@ -145,6 +148,11 @@ void step(FilterPlanes& p, int from, int distance, int y) {
         hn::StoreU(hn::Mul(sumB, scale), kTag, p.light[to][2].row(y) + x);
         hn::StoreU(hn::Mul(sumVariance, hn::Mul(scale, scale)), kTag, p.variance[to].row(y) + x);
     }
+}
+
+void step(FilterPlanes& p, int from, int distance, int y) {
+    if (distance == 1) stepWithin<1>(p, from, distance, y);
+    else stepWithin<2>(p, from, distance, y);
 }
 
 }  // namespace
