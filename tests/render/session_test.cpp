@@ -1,9 +1,12 @@
 // The living render: it ends at the picture of the headless one, shows every edit, keeps what a view setting does not touch,
 // and can be torn down at any moment.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <ctime>
+#include <fstream>
 #include <random>
 #include <thread>
 
@@ -359,6 +362,39 @@ TEST(Session, SurvivesRandomEditsUndosResizesPausesAndQuits) { survivesRandomHan
 TEST(SessionFull, SurvivesTenThousandRandomEditsUndosResizesPausesAndQuits) {
     if (!test::fullRun()) GTEST_SKIP() << "asked for by GLINT_FULL=1";
     survivesRandomHands(200, 50, 2);
+}
+
+/// Resident memory of this process [bytes].
+double residentBytes() {
+    std::ifstream file("/proc/self/statm");
+    double pages = 0, resident = 0;
+    file >> pages >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// An hour, or GLINT_SOAK_SECONDS: memory at the end is no more than after the first fifth, in which caches fill.
+TEST(SessionFull, AnHourOfEditsLeavesMemoryFlat) {
+    if (!test::fullRun()) GTEST_SKIP() << "asked for by GLINT_FULL=1";
+    const char* asked = std::getenv("GLINT_SOAK_SECONDS");
+    const double seconds = asked ? std::atof(asked) : 3600;
+    RandomHand hand(3);
+    Session session(2);
+    hand.begin(session);
+    const auto start = std::chrono::steady_clock::now();
+    const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+    double early = 0, late = 0;
+    std::uint64_t acts = 0, frames = 0;
+    for (double now = 0; now < seconds; now = elapsed()) {
+        hand.act(session);
+        ++acts;
+        std::this_thread::sleep_for(std::chrono::microseconds(hand.random() % 20000));
+        frames += session.take() != nullptr;
+        double& most = now < 0.2 * seconds ? early : late;
+        if (acts % 100 == 0) most = std::max(most, residentBytes());
+    }
+    std::printf("%.0f s: %llu acts, %llu frames, at most %.1f MB in the first fifth, %.1f MB later\n", seconds, static_cast<unsigned long long>(acts),
+                static_cast<unsigned long long>(frames), early / 1e6, late / 1e6);
+    EXPECT_LT(late, 1.05 * early + 16e6);
 }
 
 }  // namespace

@@ -82,10 +82,13 @@ bool FramePainter::eachBlock(const Film& film, int stride, Color&& color, Painti
 bool FramePainter::paint(const std::shared_ptr<const RenderScene>& scene, const Film& film, const Backdrop* backdrop, int stride,
                          const TileErrors& errors, const PaintSettings& settings, const CancelToken& cancel, Painting& out) {
     cancel_ = cancel;
+    out.isRough = false;
     const bool filters = settings.filtered && settings.channel == Channel::Beauty && stride == 1;
     if (filters || isSurfaceChannel(settings.channel)) {
-        const std::uint32_t samples = stride > 1 ? 1 : GuideFilm::kSamples;
+        // The first look is a quick one.
+        const std::uint32_t known = guides_.samplesOf(scene, film.width(), film.height()), samples = stride == 1 && known > 0 ? GuideFilm::kSamples : 1;
         if (!guides_.refine(scene, film.width(), film.height(), stride, samples, cancel, pool_)) return false;
+        out.isRough = stride == 1 && samples < GuideFilm::kSamples;
     }
     out.channel = settings.channel;
     out.filtered = filters;

@@ -38,6 +38,7 @@ struct Painting {
     std::vector<std::uint32_t> pixels;  ///< 0xffRRGGBB, height x width, row-major, top row first
     Channel channel = Channel::Beauty;
     bool filtered = false;  ///< the preview filter was at work
+    bool isRough = false;   ///< guides have fewer samples than they are to have: the next call gives a better picture
     std::optional<Legend> legend;
     TileErrors errors;
 };

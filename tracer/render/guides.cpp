@@ -81,11 +81,13 @@ bool GuideFilm::refine(const std::shared_ptr<const RenderScene>& scene, int widt
     if (width != width_ || height != height_) {
         width_ = width;
         height_ = height;
+        samples_ = 0;
         pixels_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), {});
         rowIsCurrent_.assign(static_cast<std::size_t>(height), true);
     } else if (scene != scene_) {
         std::fill(rowIsCurrent_.begin(), rowIsCurrent_.end(), false);
     }
+    if (scene != scene_) samples_ = 0;
     scene_ = scene;
     const std::uint32_t target = std::min(samples, kSamples);
     const auto addTo = [&](Pixel& pixel, int x, int y) {
@@ -118,7 +120,9 @@ bool GuideFilm::refine(const std::shared_ptr<const RenderScene>& scene, int widt
             }
         }
     });
-    return complete.load(std::memory_order_relaxed);
+    const bool done = complete.load(std::memory_order_relaxed);
+    if (done && stride == 1) samples_ = std::max(samples_, target);
+    return done;
 }
 
 }  // namespace glint

@@ -49,6 +49,10 @@ class GuideFilm {
     bool refine(const std::shared_ptr<const RenderScene>& scene, int width, int height, int stride, std::uint32_t samples,
                 const CancelToken& cancel, WorkerPool& pool);
 
+    /// Of every pixel of `scene` at that size; 0 if they are of another one.
+    [[nodiscard]] std::uint32_t samplesOf(const std::shared_ptr<const RenderScene>& scene, int width, int height) const {
+        return scene == scene_ && width == width_ && height == height_ ? samples_ : 0;
+    }
     [[nodiscard]] const Pixel& at(int x, int y) const {
         return pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
     }
@@ -56,6 +60,7 @@ class GuideFilm {
   private:
     std::shared_ptr<const RenderScene> scene_;  ///< held, so that no other can come to its address
     int width_ = 0, height_ = 0;
+    std::uint32_t samples_ = 0;  ///< that every pixel has
     std::vector<Pixel> pixels_;
     std::vector<char> rowIsCurrent_;  ///< else the row is of an older scene; emptied by the worker that comes to it
 };

@@ -1,6 +1,7 @@
 #include "tracer/render/preview_filter.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace glint {
 
@@ -8,6 +9,9 @@ namespace {
 
 /// Surfaces darker than this are divided by it instead: their light is too dim to tell its colour.
 constexpr float kLeastAlbedo = 0.02f;
+constexpr float kInfinityF = std::numeric_limits<float>::infinity();
+/// Where the last step leaves its light: prepare() and each step change sides.
+constexpr int kFiltered = (PreviewFilter::kSteps + 1) % 2;
 
 Rgb divisor(const GuideFilm::Pixel& guide) { return glm::max(guide.seenAlbedo, Rgb(kLeastAlbedo)); }
 
@@ -40,11 +44,35 @@ void PreviewFilter::load(const Film& film, const GuideFilm& guides, int y) {
     }
 }
 
-void PreviewFilter::store(const GuideFilm& guides, int y, std::vector<Rgb>& out) const {
+/// Light times albedo again, into the planes that the last step read from.
+void PreviewFilter::remodulate(const GuideFilm& guides, int y) {
+    for (int x = 0; x < planes_.width; ++x) {
+        const Rgb albedo = divisor(guides.at(x, y));
+        for (int c = 0; c < 3; ++c) planes_.light[1 - kFiltered][c].row(y)[x] = albedo[c] * planes_.light[kFiltered][c].row(y)[x];
+    }
+}
+
+/// A pixel on an edge is like none of its neighbours and stays as noisy as it was. What it shows lies between them, so it is kept to
+/// their range.
+void PreviewFilter::store(int y, std::vector<Rgb>& out) const {
+    constexpr float kNoisy = 0.25f;  // standard error over light
+    const auto& radiance = planes_.light[1 - kFiltered];
+    const auto at = [&](int px, int py) { return Rgb(radiance[0].row(py)[px], radiance[1].row(py)[px], radiance[2].row(py)[px]); };
     Rgb* row = out.data() + static_cast<std::ptrdiff_t>(y) * planes_.width;
-    constexpr int kFrom = (kSteps + 1) % 2;  // prepare() and each step change sides
-    for (int x = 0; x < planes_.width; ++x)
-        row[x] = divisor(guides.at(x, y)) * Rgb(planes_.light[kFrom][0].row(y)[x], planes_.light[kFrom][1].row(y)[x], planes_.light[kFrom][2].row(y)[x]);
+    for (int x = 0; x < planes_.width; ++x) {
+        row[x] = at(x, y);
+        const auto& light = planes_.light[kFiltered];
+        const float size = luminance(Rgb(light[0].row(y)[x], light[1].row(y)[x], light[2].row(y)[x]));
+        if (planes_.variance[kFiltered].row(y)[x] <= kNoisy * kNoisy * size * size || x == 0 || y == 0 || x + 1 == planes_.width || y + 1 == planes_.height) continue;
+        Rgb low(kInfinityF), high(0.0f);
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx) {
+                if (dx == 0 && dy == 0) continue;
+                low = glm::min(low, at(x + dx, y + dy));
+                high = glm::max(high, at(x + dx, y + dy));
+            }
+        row[x] = glm::clamp(row[x], low, high);
+    }
 }
 
 bool PreviewFilter::run(const Film& film, const GuideFilm& guides, WorkerPool& pool, const CancelToken& cancel, std::vector<Rgb>& out) {
@@ -70,7 +98,8 @@ bool PreviewFilter::run(const Film& film, const GuideFilm& guides, WorkerPool& p
     eachRow([&](int y) { load(film, guides, y); });
     eachRow([&](int y) { loops.prepare(planes_, y); });
     for (int i = 0; i < kSteps; ++i) eachRow([&](int y) { loops.step(planes_, (i + 1) % 2, 1 << i, y); });
-    eachRow([&](int y) { store(guides, y, out); });
+    eachRow([&](int y) { remodulate(guides, y); });
+    eachRow([&](int y) { store(y, out); });
     return complete.load(std::memory_order_relaxed);
 }
 

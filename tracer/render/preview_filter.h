@@ -50,7 +50,8 @@ class PreviewFilter {
 
   private:
     void load(const Film& film, const GuideFilm& guides, int y);
-    void store(const GuideFilm& guides, int y, std::vector<Rgb>& out) const;
+    void remodulate(const GuideFilm& guides, int y);
+    void store(int y, std::vector<Rgb>& out) const;
 
     FilterPlanes planes_;
 };

@@ -145,7 +145,7 @@ struct Session::Impl {
         SessionFrame& frame = frames.back();
         const Picture& shown = picture.picture();
         if (!painter.paint(shown.scene, shown.film, picture.backdrop(), std::max(shown.shownStride, 1), shown.errors.tiles, view.paint, cancel, frame)) return;
-        undisplayed = false;
+        undisplayed = frame.isRough;
         lastShown = Clock::now();
         noteLatency();
         describe(frame);
