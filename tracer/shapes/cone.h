@@ -102,11 +102,11 @@ struct CanonicalCone {
         // A line of the mantle at the angle phi from the point's own is in view if r cos(phi) +
         // aboveApex / 2 > 0.
         std::optional<MantleView> mantle;
-        if (r > -aboveApex / 2 && distance > 0)
+        if (r > kSkin - aboveApex / 2 && distance > 0)
             mantle.emplace(toApex / distance, -2.0 * view.worldFromLocal[1], view,
                            r > aboveApex / 2 ? std::acos(-aboveApex / (2 * r)) : kPi);
         std::optional<DiskView> base;
-        if (view.origin.y < -1) base.emplace(view, -1.0);
+        if (view.origin.y < -1 - kSkin) base.emplace(view, -1.0);
         return {view, Side{view, toApex / distance, distance}, mantle, base};
     }
 

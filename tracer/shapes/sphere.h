@@ -42,7 +42,7 @@ struct CanonicalSphere {
     /// From outside: towards the disk that the ball's outline spans, which fills the same
     /// directions, also of an ellipsoid. From inside: all directions.
     [[nodiscard]] DirectionSample sampleDirection(const Viewpoint& view, const DVec2& u) const {
-        if (!(glm::dot(view.origin, view.origin) > 1)) {
+        if (!(glm::dot(view.origin, view.origin) > 1 + kSkin)) {
             const DVec3 d = uniformSphere(u);
             return {d, view.worldDensity(d, kUniformSpherePdf)};
         }
@@ -52,7 +52,7 @@ struct CanonicalSphere {
         return {glm::normalize(outline.shapeFromDisk * (s.point - outline.place.origin)), s.pdf};
     }
     [[nodiscard]] double pdfDirection(const Viewpoint& view, const DVec3& d) const {
-        if (!(glm::dot(view.origin, view.origin) > 1))
+        if (!(glm::dot(view.origin, view.origin) > 1 + kSkin))
             return view.worldDensity(d, kUniformSpherePdf);
         const Outline outline(view);
         const double cosine = -glm::dot(d, outline.shapeFromDisk[1]);

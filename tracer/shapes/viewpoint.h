@@ -7,6 +7,10 @@
 
 namespace glint {
 
+/// Points no farther outside of a curved shape than this, over its size, look at it as from inside: where rounding decides on which
+/// side a point of the surface is, the part in view cannot be told.
+inline constexpr double kSkin = 1e-9;
+
 struct Viewpoint {
     DVec3 origin;               ///< in the shape's canonical space
     DMat3 worldFromLocal{1.0};  ///< of vectors
