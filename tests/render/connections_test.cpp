@@ -2,6 +2,8 @@
 // every kind of light.
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "tests/support/strategies.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/ztest.h"
@@ -81,6 +83,8 @@ struct Case {
     Lamp lamp;
 };
 
+void PrintTo(const Case& tested, std::ostream* out) { *out << tested.name; }
+
 class Connections : public testing::TestWithParam<Case> {};
 
 TEST_P(Connections, ChangeNoMean) {
@@ -95,7 +99,8 @@ TEST_P(Connections, ChangeNoMean) {
         EXPECT_LE(d.sigmas, 4) << name;
     };
     expectSame(test::pixelMeans<BalanceHeuristic, NoConnections>(scene, samples), "without connections", 8e-3);
-    expectSame(test::pixelMeans<test::LightOnly>(scene, samples), "connections and light sampling alone", 2e-2);  // A sky's dim part is the surfaces'.
+    // Connections alone are without bound where a caustic folds, and a sky's dim part is the surfaces': noisier.
+    expectSame(test::pixelMeans<test::LightOnly>(scene, samples), "connections and light sampling alone", test::fullRun() ? 2e-2 : 3e-2);
 }
 
 const AllMaterials::Variant kMirror = Mirror{grey(0.9)}, kGlass = Glass{1.5}, kWater = Glass{1.33, Color{0.8, 0.3, 0.1}};
