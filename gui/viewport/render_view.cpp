@@ -3,18 +3,18 @@
 #include <QAction>
 #include <QApplication>
 #include <QWheelEvent>
-#include <algorithm>
 #include <QWindow>
+#include <algorithm>
 #include <cmath>
 
 #include "gui/viewport/edit_gestures.h"
-#include "gui/viewport/navigation.h"
 #include "gui/viewport/legend.h"
+#include "gui/viewport/navigation.h"
 #include "gui/viewport/navigation_gestures.h"
 #include "gui/viewport/overlay.h"
+#include "gui/viewport/region_gesture.h"
 #include "gui/viewport/selection_outline.h"
 #include "tracer/color/display.h"
-#include "gui/viewport/region_gesture.h"
 
 namespace glint {
 

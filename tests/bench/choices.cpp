@@ -8,8 +8,6 @@
 #include "tests/bench/output.h"
 #include "tests/bench/reference_cache.h"
 #include "tests/bench/scene_list.h"
-#include "tracer/compile/compiler.h"
-#include "tracer/io/scene_json.h"
 #include "tracer/render/error_report.h"
 #include "tracer/render/path.h"
 #include "tracer/render/worker_pool.h"
@@ -117,24 +115,17 @@ void measure(const Way& way, RenderScene scene, int spp, int seed, const Referen
 bool isWanted(const ChoicesOptions& options, const Way& way) { return options.only.empty() || way.choice == options.only || &way == kWays.data(); }
 
 Result<std::vector<Figures>> measureAll(const ChoicesOptions& options, const std::string& file) {
-    Result<Scene> loaded = loadScene(file);
+    const Result<LoadedScene> loaded = loadScaled(file, options.width);
     if (!loaded) return loaded.error();
-    Scene scene = std::move(loaded).value();
-    scaleFilm(scene, options.width);
-    AssetCache assets;
-    const Result<Compiled> compiled = compile(scene, fs::path(file).parent_path(), assets);
-    if (!compiled) return compiled.error();
     ErrorReportSettings settings;
     settings.lastPower = static_cast<int>(std::ceil(std::log2(options.spp)));
-    const std::string key = format("%s-%s-error-%dspp", fs::path(file).stem().c_str(), sceneHash(scene).c_str(), settings.referenceFactor << settings.lastPower);
-    const Result<Reference> reference =
-        ReferenceCache(options.cache).get(key, [&]() -> Result<Reference> { return makeReference(compiled.value().scene, settings).value(); });
+    const Result<Reference> reference = reportReference(options.cache, loaded.value(), settings);
     if (!reference) return reference.error();
     std::vector<Figures> out(kWays.size());
     for (int run = 0; run < options.runs; ++run)
         for (std::size_t i = 0; i < kWays.size(); ++i) {
             const std::size_t way = run % 2 ? kWays.size() - 1 - i : i;
-            if (isWanted(options, kWays[way])) measure(kWays[way], *compiled.value().scene, options.spp, run + 1, reference.value(), out[way]);
+            if (isWanted(options, kWays[way])) measure(kWays[way], *loaded.value().compiled, options.spp, run + 1, reference.value(), out[way]);
         }
     return out;
 }

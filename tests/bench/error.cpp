@@ -7,8 +7,6 @@
 #include "tests/bench/output.h"
 #include "tests/bench/reference_cache.h"
 #include "tests/bench/scene_list.h"
-#include "tracer/compile/compiler.h"
-#include "tracer/io/scene_json.h"
 #include "tracer/render/error_report.h"
 
 namespace glint::bench {
@@ -26,20 +24,13 @@ struct ErrorOptions {
 
 /// Loads and compiles a scene at the size to measure at, and measures it.
 Result<NamedErrorReport> measure(const ErrorOptions& options, const std::string& file) {
-    Result<Scene> loaded = loadScene(file);
+    const Result<LoadedScene> loaded = loadScaled(file, options.width);
     if (!loaded) return loaded.error();
-    Scene scene = std::move(loaded).value();
-    scaleFilm(scene, options.width);
-    AssetCache assets;
-    const Result<Compiled> compiled = compile(scene, fs::path(file).parent_path(), assets);
-    if (!compiled) return compiled.error();
-    const auto& target = compiled.value().scene;
-    NamedErrorReport out{fs::path(file).stem().string(), {}};
-    const std::string key = format("%s-%s-error-%dspp", out.name.c_str(), sceneHash(scene).c_str(), options.report.referenceFactor << options.report.lastPower);
-    const Result<Reference> reference =
-        ReferenceCache(options.cache).get(key, [&]() -> Result<Reference> { return makeReference(target, options.report).value(); });
+    const LoadedScene& target = loaded.value();
+    const Result<Reference> reference = reportReference(options.cache, target, options.report);
     if (!reference) return reference.error();
-    out.report = measureErrors(target, reference.value(), options.report).value();
+    NamedErrorReport out{target.name, {}};
+    out.report = measureErrors(target.compiled, reference.value(), options.report).value();
     return out;
 }
 

@@ -3,7 +3,9 @@
 #include <cstdlib>
 #include <map>
 
+#include "tests/bench/output.h"
 #include "tracer/io/film_exr.h"
+#include "tracer/io/scene_json.h"
 
 namespace glint::bench {
 
@@ -58,6 +60,12 @@ Result<Reference> ReferenceCache::get(const std::string& key, const std::functio
     const Status saved = save(file, made.value());
     if (!saved) return saved.error();
     return made;
+}
+
+Result<Reference> reportReference(const std::filesystem::path& folder, const LoadedScene& scene, const ErrorReportSettings& settings) {
+    const std::string key =
+        format("%s-%s-error-%dspp", scene.name.c_str(), sceneHash(scene.scene).c_str(), settings.referenceFactor << settings.lastPower);
+    return ReferenceCache(folder).get(key, [&]() -> Result<Reference> { return makeReference(scene.compiled, settings).value(); });
 }
 
 }  // namespace glint::bench

@@ -5,7 +5,9 @@
 #include <functional>
 #include <string>
 
+#include "tests/bench/scene_list.h"
 #include "tracer/base/result.h"
+#include "tracer/render/error_report.h"
 #include "tracer/render/picture_error.h"
 
 namespace glint::bench {
@@ -23,5 +25,8 @@ class ReferenceCache {
   private:
     std::filesystem::path folder_;
 };
+
+/// The reference that an error report with these settings compares with, kept in `folder`.
+[[nodiscard]] Result<Reference> reportReference(const std::filesystem::path& folder, const LoadedScene& scene, const ErrorReportSettings& settings);
 
 }  // namespace glint::bench

@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "tests/support/paths.h"
+#include "tracer/compile/compiler.h"
+#include "tracer/io/scene_json.h"
 
 namespace glint::bench {
 
@@ -30,6 +32,20 @@ void scaleFilm(Scene& scene, int width) {
     const double shape = static_cast<double>(scene.film.height) / scene.film.width;
     scene.film.width = width;
     scene.film.height = std::max(1, static_cast<int>(std::lround(width * shape)));
+}
+
+Result<LoadedScene> loadScaled(const std::string& file, int width, const std::function<void(Scene&)>& change) {
+    const std::filesystem::path path(file);
+    Result<Scene> scene = loadScene(file);
+    if (!scene) return scene.error();
+    LoadedScene out{path.stem().string(), std::move(scene).value(), nullptr};
+    scaleFilm(out.scene, width);
+    if (change) change(out.scene);
+    AssetCache assets;
+    const Result<Compiled> compiled = compile(out.scene, path.parent_path(), assets);
+    if (!compiled) return compiled.error();
+    out.compiled = compiled.value().scene;
+    return out;
 }
 
 }  // namespace glint::bench

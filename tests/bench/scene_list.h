@@ -2,10 +2,17 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "tracer/base/result.h"
 #include "tracer/scene/scene.h"
+
+namespace glint {
+struct RenderScene;
+}
 
 namespace glint::bench {
 
@@ -17,5 +24,13 @@ void addSceneFiles(CLI::App& app, std::vector<std::string>& files, const std::st
 
 /// Makes the film `width` pixels wide in its own shape.
 void scaleFilm(Scene& scene, int width);
+
+struct LoadedScene {
+    std::string name;  ///< of the file, without its ending
+    Scene scene;
+    std::shared_ptr<const RenderScene> compiled;
+};
+/// The scene of a file, scaled to `width`, compiled after `change`.
+[[nodiscard]] Result<LoadedScene> loadScaled(const std::string& file, int width, const std::function<void(Scene&)>& change = {});
 
 }  // namespace glint::bench

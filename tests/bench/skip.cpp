@@ -12,9 +12,7 @@
 #include "tests/bench/process.h"
 #include "tests/bench/scene_list.h"
 #include "tests/support/paths.h"
-#include "tracer/compile/compiler.h"
 #include "tracer/compile/render_scene.h"
-#include "tracer/io/scene_json.h"
 #include "tracer/math/statistics.h"
 #include "tracer/render/render.h"
 #include "tracer/render/skips.h"
@@ -35,30 +33,17 @@ struct SkipOptions {
 /// The kernels beside the smallest one, and what they show.
 constexpr std::array kOthers = {std::pair{KernelChoice::Full, "full"}, std::pair{KernelChoice::NoSkips, "no_skips"}};
 
-struct Loaded {
-    std::string name;
-    Scene scene;
-    std::shared_ptr<const RenderScene> compiled;
-};
-
-Result<Loaded> load(const SkipOptions& options, const std::string& file) {
-    Result<Scene> scene = loadScene(file);
-    if (!scene) return scene.error();
-    Loaded out{fs::path(file).stem().string(), std::move(scene).value(), nullptr};
-    scaleFilm(out.scene, options.width);
-    out.scene.render.spp = options.spp;
-    out.scene.render.timeSeconds = out.scene.render.errorPercent = 0;
-    AssetCache assets;
-    const Result<Compiled> compiled = compile(out.scene, fs::path(file).parent_path(), assets);
-    if (!compiled) return compiled.error();
-    out.compiled = compiled.value().scene;
-    return out;
+Result<LoadedScene> load(const SkipOptions& options, const std::string& file) {
+    return loadScaled(file, options.width, [&](Scene& scene) {
+        scene.render.spp = options.spp;
+        scene.render.timeSeconds = scene.render.errorPercent = 0;
+    });
 }
 
-Rendering renderWith(const Loaded& scene, KernelChoice kernel) { return render(scene.compiled, {.threads = 1, .kernel = kernel}); }
+Rendering renderWith(const LoadedScene& scene, KernelChoice kernel) { return render(scene.compiled, {.threads = 1, .kernel = kernel}); }
 
 /// Ratio of processor time of the smallest kernel to another's, by pairs in the order ABBA.
-Ratio timeRatio(const Loaded& scene, KernelChoice other, int pairs) {
+Ratio timeRatio(const LoadedScene& scene, KernelChoice other, int pairs) {
     std::vector<double> smallest, others;
     for (int pair = 0; pair < pairs; ++pair)
         for (int turn = 0; turn < 2; ++turn) {
@@ -96,7 +81,7 @@ class SkipBench {
                     options_.files.size(), options_.width, options_.spp, valgrind ? ", a minute with callgrind" : "");
         Table table({"scene", "kernel", "skips", "not 0", "bits", "time/full", "time/no skips", "instr./full"});
         for (const std::string& file : options_.files) {
-            Result<Loaded> loaded = load(options_, file);
+            Result<LoadedScene> loaded = load(options_, file);
             if (!loaded) return complain(loaded.error(), kBadScene);
             if (Status measured = measure(loaded.value(), file, valgrind, table); !measured) return complain(measured.error(), kFailed);
         }
@@ -108,7 +93,7 @@ class SkipBench {
     /// For callgrind: one render, nothing else.
     static int runOnce(const SkipOptions& options, const std::string& kernel) {
         for (const std::string& file : options.files) {
-            Result<Loaded> loaded = load(options, file);
+            Result<LoadedScene> loaded = load(options, file);
             if (!loaded) return complain(loaded.error(), kBadScene);
             KernelChoice choice = KernelChoice::Smallest;
             for (const auto& [other, name] : kOthers)
@@ -119,7 +104,7 @@ class SkipBench {
     }
 
   private:
-    Status measure(const Loaded& scene, const std::string& file, bool valgrind, Table& table) {
+    Status measure(const LoadedScene& scene, const std::string& file, bool valgrind, Table& table) {
         const Rendering smallest = renderWith(scene, KernelChoice::Smallest);
         const std::vector<std::string> held = skipNames(*scene.compiled);
         Json row{{"scene", scene.name}, {"kernel", smallest.kernel}, {"skips", held}};
