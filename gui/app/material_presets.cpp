@@ -33,11 +33,11 @@ namespace {
     QT_TRANSLATE_NOOP("MaterialPreset", "Milk"), QT_TRANSLATE_NOOP("MaterialPreset", "Skimmed milk"),
     QT_TRANSLATE_NOOP("MaterialPreset", "Cream"), QT_TRANSLATE_NOOP("MaterialPreset", "Marble"),
     QT_TRANSLATE_NOOP("MaterialPreset", "Stone and earth"), QT_TRANSLATE_NOOP("MaterialPreset", "Chalk"),
-    QT_TRANSLATE_NOOP("MaterialPreset", "Clay"), QT_TRANSLATE_NOOP("MaterialPreset", "Jade"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Terracotta"), QT_TRANSLATE_NOOP("MaterialPreset", "Jade"),
     QT_TRANSLATE_NOOP("MaterialPreset", "Wax"), QT_TRANSLATE_NOOP("MaterialPreset", "Car paint red"),
     QT_TRANSLATE_NOOP("MaterialPreset", "Paint and plastic"), QT_TRANSLATE_NOOP("MaterialPreset", "Car paint blue"),
     QT_TRANSLATE_NOOP("MaterialPreset", "Plastic yellow"), QT_TRANSLATE_NOOP("MaterialPreset", "Plastic green"),
-    QT_TRANSLATE_NOOP("MaterialPreset", "Ceramic"), QT_TRANSLATE_NOOP("MaterialPreset", "Rubber"),
+    QT_TRANSLATE_NOOP("MaterialPreset", "Porcelain"), QT_TRANSLATE_NOOP("MaterialPreset", "Rubber"),
     QT_TRANSLATE_NOOP("MaterialPreset", "Matt grey paint"),
 };
 

@@ -1146,8 +1146,8 @@ MIT 许可证。</translation>
         <translation>白垩</translation>
     </message>
     <message>
-        <source>Clay</source>
-        <translation>陶土</translation>
+        <source>Terracotta</source>
+        <translation>赤陶</translation>
     </message>
     <message>
         <source>Jade</source>
@@ -1178,8 +1178,8 @@ MIT 许可证。</translation>
         <translation>绿色塑料</translation>
     </message>
     <message>
-        <source>Ceramic</source>
-        <translation>陶瓷</translation>
+        <source>Porcelain</source>
+        <translation>瓷</translation>
     </message>
     <message>
         <source>Rubber</source>

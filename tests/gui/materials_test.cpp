@@ -82,6 +82,17 @@ double reflectanceAt(const QJsonObject& metal, double nanometres) {
     return ((nn - 1) * (nn - 1) + kk * kk) / ((nn + 1) * (nn + 1) + kk * kk);
 }
 
+/// Shares of diffuse light that a layer sends back and lets through: Kubelka and Munk, with K = 2 sigma_a and S = 3/4 sigma_s' -
+/// 1/4 sigma_a (Star, Marijnissen, van Gemert, Phys. Med. Biol. 33, 1988). Coefficients in 1/mm, thickness in mm.
+struct TwoFlux {
+    double back, through;
+};
+TwoFlux layerInDiffuseLight(double scattering, double absorption, double thickness) {
+    const double s = 0.75 * scattering - 0.25 * absorption, a = 1 + 2 * absorption / s, b = std::sqrt(a * a - 1);
+    const double sine = std::sinh(b * s * thickness), cosine = std::cosh(b * s * thickness);
+    return {sine / (a * sine + b * cosine), b / (a * sine + b * cosine)};
+}
+
 }  // namespace
 
 class MaterialsTest : public QObject {
@@ -93,7 +104,23 @@ class MaterialsTest : public QObject {
         for (const MaterialPreset& preset : materialPresets()) {
             QVERIFY2(preset.scene.materials.find(preset.material), qPrintable(preset.name));
             QVERIFY2(preset.source.size() > 20, qPrintable(preset.name));
+            QVERIFY2(!preset.source.contains("by eye"), qPrintable(preset.name));
         }
+    }
+    void layersSendBackAndLetThroughWhatTheTwoFluxEquationsGive() {
+        int checked = 0;
+        for (const QJsonValue& value : readObject("presets.json")["presets"].toArray()) {
+            const QJsonObject preset = value.toObject(), layer = preset["layer"].toObject(), material = preset["material"].toObject();
+            if (layer.isEmpty()) continue;
+            for (int i = 0; i < 3; ++i) {
+                const double scattering = layer["scattering"].toArray()[i].toDouble(), absorption = layer["absorption"].toArray()[i].toDouble();
+                const TwoFlux flux = layerInDiffuseLight(scattering, absorption, layer["thickness"].toDouble());
+                QVERIFY2(std::abs(material["reflectance"].toArray()[i].toDouble() - flux.back) < 6e-4, qPrintable(preset["name"].toString()));
+                QVERIFY2(std::abs(material["transmittance"].toArray()[i].toDouble() - flux.through) < 6e-4, qPrintable(preset["name"].toString()));
+            }
+            ++checked;
+        }
+        QCOMPARE(checked, 5);
     }
     void metalColoursAreWhatTheMeasuredConstantsGive() {
         const QJsonObject metals = readObject("metals.json");
