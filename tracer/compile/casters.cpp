@@ -136,10 +136,7 @@ CasterTable makeCasters(const std::vector<ShapeInstance>& shapes, const std::vec
     std::stable_sort(out.casters.begin(), out.casters.end(), [](const Caster& a, const Caster& b) { return a.radius > b.radius; });
     if (out.casters.size() > CasterTable::kMostCasters) out.casters.resize(CasterTable::kMostCasters);
     out.casterOf.assign(shapes.size(), ~0u);
-    for (std::uint32_t i = 0; i < out.casters.size(); ++i) {
-        out.casterOf[out.casters[i].shape] = i;
-        out.materials |= materials[shapes[out.casters[i].shape].material].bit;
-    }
+    for (std::uint32_t i = 0; i < out.casters.size(); ++i) out.casterOf[out.casters[i].shape] = i;
     return out;
 }
 

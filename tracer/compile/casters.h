@@ -21,6 +21,8 @@ struct Caster {
     double ior = 1;
     float reflects = 0;     ///< how strongly, for roulette: 1 a mirror, about 0.15 glass
     bool refracts = false;  ///< Faces: a box
+
+    bool operator==(const Caster&) const = default;
 };
 
 /// A flat face of a caster, in render space.
@@ -48,7 +50,6 @@ struct CasterTable {
     std::vector<double> cumulative;      ///< of their power, normalised
     std::vector<std::uint32_t> casterOf; ///< of each shape; ~0: none
     double farSolidAngle = 0;            ///< of the environment's bright part, sr
-    std::uint64_t materials = 0;         ///< the casters', see materialBit()
 
     [[nodiscard]] bool empty() const { return casters.empty(); }
     [[nodiscard]] const Caster* find(std::uint32_t shape) const { return empty() || casterOf[shape] == ~0u ? nullptr : &casters[casterOf[shape]]; }

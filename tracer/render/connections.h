@@ -43,7 +43,6 @@ class Connections {
 
     /// Tries every caster.
     void run() {
-        state_.materials |= scene_.casters.materials;
         const float turn = sampler_.block(sampleBlock(SampleUse::Caustic, vertex_.depth, vertex_.branch, 63)).x;
         for (std::uint32_t i = 0; i < scene_.casters.casters.size(); ++i) {
             const Caster& caster = scene_.casters.casters[i];
@@ -232,7 +231,7 @@ class Connections {
         return local[(axis + 1) % 3] < 1 && local[(axis + 2) % 3] < 1;
     }
 
-    /// The factors along one way, the two ways' densities, and last what is in between.
+    /// What is in between, and the factors along one way with the two ways' densities.
     void connect(const Caster& caster, const Way& way) {
         if (!(way.pdf > 0 && way.pdf < kInfinity)) return;
         const DVec3& x = vertex_.point.position;
@@ -245,16 +244,18 @@ class Connections {
         if (inside ? !(media.size() == 1 && media[0] == caster.shape) : !media.empty()) return;
         const BsdfSample f = evalSmooth<F>(vertex_.material, vertex_.point.wo, wi, vertex_.point.eta, state_.work);
         if (isBlack(f.f)) return;
-        double chance = 1;
-        const Rgb passed = alongCaster(caster, way, chance);
-        if (isBlack(passed)) return;
-        const double other = static_cast<double>(f.pdf) * static_cast<double>(vertex_.smoothChance) * chance;
-        const auto factor = static_cast<float>(weight_(way.pdf, other) * static_cast<double>(std::abs(wi.z)) / way.pdf);
         const int last = way.meetings() - 1;
         const std::uint32_t emitter = scene_.lights.lights[way.light].shape;
         if (!isClear({x, outgoing, vertex_.point.shape, wi.z < 0}, media, distance, caster.shape) || !isClearInside(caster, way) ||
             !isClear({way.points[static_cast<std::size_t>(last)], way.onward, caster.shape, false}, {}, way.toLight, emitter))
             return;
+        // So far all went by what Caster holds, and an edit that changes that starts the picture anew: see sameStructure().
+        state_.materials |= scene_.materials[scene_.shapes[caster.shape].material].bit;
+        double chance = 1;
+        const Rgb passed = alongCaster(caster, way, chance);
+        if (isBlack(passed)) return;
+        const double other = static_cast<double>(f.pdf) * static_cast<double>(vertex_.smoothChance) * chance;
+        const auto factor = static_cast<float>(weight_(way.pdf, other) * static_cast<double>(std::abs(wi.z)) / way.pdf);
         add_(Connection{vertex_.throughput * f.f * passed * way.radiance * factor, wi, way.light});
     }
 

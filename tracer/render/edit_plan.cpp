@@ -137,7 +137,7 @@ bool sameStructure(const RenderScene& before, const RenderScene& after) {
             isBlack(before.materials[a.material].straight) != isBlack(after.materials[b.material].straight))
             return false;
     }
-    return std::ranges::equal(before.casters.casters, after.casters.casters, [](const Caster& a, const Caster& b) { return a.shape == b.shape && a.refracts == b.refracts; });
+    return before.casters.casters == after.casters.casters;
 }
 
 bool sameViewpoint(const Camera& a, const Camera& b) {

@@ -29,8 +29,8 @@ struct EditPlan {
 /// Kind::Retrace.
 [[nodiscard]] Scene withLightsOf(const Scene& traced, Scene next);
 
-/// The two differ at most in values that samples record their use of: the same shapes are dielectric, let
-/// shadow rays pass and throw caustics.
+/// The two differ at most in values that samples record their use of: the same shapes are dielectric, let shadow rays pass, and
+/// throw caustics by the same ways with the same chances.
 /// Asked after compiling for Kind::Retrace; else a restart is needed.
 [[nodiscard]] bool sameStructure(const RenderScene& before, const RenderScene& after);
 
