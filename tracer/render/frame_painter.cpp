@@ -146,10 +146,15 @@ bool FramePainter::paintScale(const Film& film, const Backdrop* backdrop, int ma
         return eachPixel(film, [&, legend](int x, int y) { return falseColor(placeOn(legend, valueOf(x, y))); }, out);
     };
     if (out.channel == Channel::Samples) {
+        // As the picture: while it is coarse, the grid's pixels stand for those between.
+        const auto samplesAt = [&](int x, int y) {
+            const std::uint32_t own = film.samples(x, y);
+            return own ? own : film.samples(x & mask, y & mask);
+        };
         std::uint32_t most = 1;
         for (int y = 0; y < film.height(); ++y)
             for (int x = 0; x < film.width(); ++x) most = std::max(most, film.samples(x, y));
-        return paint({0, static_cast<double>(most), false}, [&](int x, int y) { return static_cast<float>(film.samples(x, y)); });
+        return paint({0, static_cast<double>(most), false}, [&](int x, int y) { return static_cast<float>(samplesAt(x, y)); });
     }
     if (out.channel == Channel::Error)
         return paintErrors(film, out);
