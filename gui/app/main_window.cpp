@@ -28,6 +28,7 @@
 #include "gui/app/material_previews.h"
 #include "gui/app/message_log.h"
 #include "gui/app/missing_assets.h"
+#include "gui/app/narrow_layout.h"
 #include "gui/app/picture_controls.h"
 #include "gui/app/preferences_dialog.h"
 #include "gui/app/preview_renderer.h"
@@ -76,6 +77,8 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
     files_ = new FileController(document_, *messages_, memory_, this);
     exports_ = new ExportQueue(*messages_, this);
     previews_ = new PreviewRenderer(this);
+    previews_->hold();
+    connect(renderer_, &Renderer::frameReady, previews_, &PreviewRenderer::release);
     materialPreviews_ = new MaterialPreviews(document_, *previews_, this);
     thumbnails_ = new SceneThumbnails(*previews_, memory_, this);
     new MaterialDrop(*view_);
@@ -105,6 +108,7 @@ void MainWindow::buildInterface() {
     status_ = new StatusLine(this);
     statusBar()->addWidget(status_, 1);
     buildDocks();
+    narrow_ = new NarrowLayout(*this, actions_);
     menus_ = new MainMenus({*actions_, document_, *files_, *edits_, *viewCommands_, *view_, *objects_}, *this);
     addToolBar(new ToolBar(document_, *view_, *actions_, this));
     connectFileActions();
@@ -209,7 +213,7 @@ void MainWindow::buildDocks() {
     properties->raise();
     const int unit = fontMetrics().averageCharWidth();
     // Wide enough for any form: a panel that grew with the selection would shrink the picture and start it anew.
-    resizeDocks({objects, properties}, {unit * 40, unit * 58}, Qt::Horizontal);
+    resizeDocks({objects, properties}, {unit * 40, unit * 64}, Qt::Horizontal);
     resizeDocks({objects, materials}, {360, 380}, Qt::Vertical);
 }
 
@@ -319,6 +323,7 @@ void MainWindow::openPreferences() { (new PreferencesDialog(preferences_, *actio
 
 void MainWindow::showStartPage() {
     hideStartPage();
+    previews_->release();
     auto* page = new StartPage(*thumbnails_, files_->recent(), pages_);
     connect(page, &StartPage::openRequested, files_, &FileController::open);
     connect(page, &StartPage::templateRequested, files_, &FileController::newFrom);
@@ -348,7 +353,7 @@ void MainWindow::applyPreferences(const PreferenceValues& before) {
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     if (event->type() != QEvent::LanguageChange || !actions_) return;
-    const QByteArray layout = saveState();
+    const QByteArray layout = narrow_->wideState();
     const bool preferencesOpen = findChild<PreferencesDialog*>() != nullptr;
     removeInterface();
     messages_->dismiss();
@@ -386,7 +391,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (memory_ == Memory::Settings) {
         QSettings settings;
         settings.setValue("geometry", saveGeometry());
-        settings.setValue("layout", saveState());
+        settings.setValue("layout", narrow_->wideState());
     }
     event->accept();
 }

@@ -29,6 +29,7 @@ class FileWatch;
 class MainMenus;
 class MessageBar;
 class MessageLog;
+class NarrowLayout;
 class ObjectList;
 class PreviewRenderer;
 class PixelInspector;
@@ -125,6 +126,7 @@ class MainWindow : public QMainWindow {
     ExportQueue* exports_ = nullptr;
     CommandSearch* search_ = nullptr;
     MainMenus* menus_ = nullptr;
+    NarrowLayout* narrow_ = nullptr;
     bool closing_ = false;
 };
 

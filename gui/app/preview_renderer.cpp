@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "tracer/color/display.h"
 #include "tracer/compile/compiler.h"
@@ -58,7 +59,11 @@ void PreviewRenderer::request(PreviewJob job) {
     std::erase_if(waiting_, [&](const PreviewJob& other) { return other.slot == job.slot || other.key == job.key; });
     if (running_ && running_->job.slot == job.slot) running_->stop.store(true, std::memory_order_relaxed);
     waiting_.push_back(std::move(job));
-    if (!running_) startNext();
+    if (!running_ && !held_) startNext();
+}
+
+void PreviewRenderer::release() {
+    if (std::exchange(held_, false) && !running_) startNext();
 }
 
 void PreviewRenderer::startNext() {

@@ -38,6 +38,9 @@ class PreviewRenderer : public QObject {
     /// Makes the picture unless it is there or on its way.
     void request(PreviewJob job);
     [[nodiscard]] bool isIdle() const { return !running_; }
+    /// Nothing is begun until release(): at the start of the program the picture of the scene comes first.
+    void hold() { held_ = true; }
+    void release();
 
   signals:
     /// A coarse picture first, then the finished one.
@@ -58,6 +61,7 @@ class PreviewRenderer : public QObject {
     QStringList order_;  ///< of pictures_, oldest first
     std::vector<PreviewJob> waiting_;
     std::shared_ptr<Running> running_;
+    bool held_ = false;
 
     Inbox<std::shared_ptr<Running>> inbox_;
     std::atomic<int> wake_{0};  ///< raised with release after a push, awaited with acquire by work()

@@ -58,6 +58,7 @@ QToolBar::separator { background: @line; width: 1px; margin: 3px 4px; }
 QToolBar QToolButton { padding: 4px; border: 1px solid transparent; border-radius: 3px; }
 QToolBar QToolButton:hover { background: @raised; }
 QToolBar QToolButton:checked { background: @accent; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QStatusBar { border-top: 1px solid @line; }
 QStatusBar::item { border: none; }
 QMenuBar { border-bottom: 1px solid @line; }

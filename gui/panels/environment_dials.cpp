@@ -33,6 +33,7 @@ EnvironmentDials::EnvironmentDials(Document& document, QWidget* parent) : QWidge
     row->addStretch();
     connect(rotation_, &AngleDial::previewed, this, [this](double v) { turn(v, false); });
     connect(rotation_, &AngleDial::edited, this, [this](double v) { turn(v, true); });
+    for (Dial* dial : std::initializer_list<Dial*>{rotation_, sun_}) connect(dial, &Dial::canceled, this, [this] { document_.cancelPreview(); });
     connect(&document, &Document::changed, this, &EnvironmentDials::showScene);
     showScene();
 }

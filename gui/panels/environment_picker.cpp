@@ -20,7 +20,7 @@ namespace glint {
 
 namespace {
 
-constexpr int kPathRole = Qt::UserRole;
+constexpr int kPathRole = Qt::UserRole, kRequestedRole = Qt::UserRole + 1;
 constexpr int kNoneRow = 0, kSkyRow = 1, kFirstPicture = 2;
 /// Stands for the computed sky; no file has an empty folder name.
 const QString kSkyPath = QStringLiteral("//sky");
@@ -92,11 +92,25 @@ void EnvironmentPicker::addThumbnail(const std::filesystem::path& image) {
     auto* item = new QListWidgetItem(QIcon(placeholder("image", QColor(50, 50, 50))), pathText(image.stem()), thumbnails_);
     item->setData(kPathRole, pathText(image));
     item->setToolTip(pathText(image));
-    const QSize pixels = kThumbnail * devicePixelRatioF();
-    requestThumbnail(image, pixels, this, [this, image](const QImage& thumbnail) {
-        QListWidgetItem* shown = itemFor(image);
-        if (shown && !thumbnail.isNull()) shown->setIcon(QIcon(QPixmap::fromImage(thumbnail)));
-    });
+    update();
+}
+
+void EnvironmentPicker::requestThumbnails() {
+    for (int i = kFirstPicture; i < thumbnails_->count(); ++i) {
+        QListWidgetItem* item = thumbnails_->item(i);
+        if (item->data(kRequestedRole).toBool()) continue;
+        item->setData(kRequestedRole, true);
+        const auto image = toPath(item->data(kPathRole).toString());
+        requestThumbnail(image, kThumbnail * devicePixelRatioF(), this, [this, image](const QImage& thumbnail) {
+            QListWidgetItem* shown = itemFor(image);
+            if (shown && !thumbnail.isNull()) shown->setIcon(QIcon(QPixmap::fromImage(thumbnail)));
+        });
+    }
+}
+
+void EnvironmentPicker::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    requestThumbnails();
 }
 
 QListWidgetItem* EnvironmentPicker::itemFor(const std::filesystem::path& image) const {

@@ -26,9 +26,15 @@ class EnvironmentPicker : public QWidget {
     void browse();
     [[nodiscard]] QListWidget* thumbnails() const { return thumbnails_; }
 
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
   private:
     void buildThumbnails();
     void addThumbnail(const std::filesystem::path& image);
+    /// Has the pictures read whose thumbnails nobody has asked for yet: only when the panel is seen, since a large one takes tenths
+    /// of a second of a processor. (A tab that is not the current one is shown too, for a moment, but never painted.)
+    void requestThumbnails();
     void chooseSky();
     void showCurrent();
     [[nodiscard]] QListWidgetItem* itemFor(const std::filesystem::path& image) const;

@@ -1,11 +1,11 @@
-// AngleDial: a compass that turns by dragging. Shows a value and emits intents, like DragNumber.
+// AngleDial: a compass that turns by dragging.
 #pragma once
 
-#include <QWidget>
+#include "gui/widgets/dial.h"
 
 namespace glint {
 
-class AngleDial : public QWidget {
+class AngleDial : public Dial {
     Q_OBJECT
 
   public:
@@ -13,7 +13,6 @@ class AngleDial : public QWidget {
 
     /// Degrees, any number of turns; 0 points up, growing clockwise.
     void setValue(double degrees);
-    [[nodiscard]] QSize sizeHint() const override;
 
   signals:
     void previewed(double degrees);
@@ -21,16 +20,13 @@ class AngleDial : public QWidget {
 
   protected:
     void paintEvent(QPaintEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
+    void grab(const QPointF& at) override;
+    void drag(const QPointF& at, bool fine) override;
+    void drop() override;
+    void nudge(double right, double up) override;
 
   private:
-    [[nodiscard]] double angleAt(const QPointF& at) const;
-
     double value_ = 0, dragged_ = 0, last_ = 0;
-    bool dragging_ = false;
 };
 
 }  // namespace glint

@@ -1,13 +1,14 @@
-// SunDial: the dome of the sky from above, with the sun to drag. The middle is the zenith, the rim the horizon.
+// SunDial: the dome of the sky from above, with the sun to drag. The middle is the zenith, the rim
+// the horizon.
 #pragma once
 
-#include <QWidget>
-
+#include "gui/widgets/dial.h"
 #include "tracer/math/types.h"
 
 namespace glint {
 
-/// Degrees: azimuth clockwise from -z (away from a viewer who looks along -z) as seen from above, elevation above the horizon.
+/// Degrees: azimuth clockwise from -z (away from a viewer who looks along -z) as seen from above,
+/// elevation above the horizon.
 struct SunAngles {
     double azimuth = 0, elevation = 45;
 };
@@ -16,14 +17,13 @@ struct SunAngles {
 /// Unit vector towards the sun.
 [[nodiscard]] DVec3 sunDirection(const SunAngles& angles);
 
-class SunDial : public QWidget {
+class SunDial : public Dial {
     Q_OBJECT
 
   public:
     explicit SunDial(QWidget* parent = nullptr);
 
     void setValue(const SunAngles& angles);
-    [[nodiscard]] QSize sizeHint() const override;
 
   signals:
     void previewed(const glint::SunAngles& angles);
@@ -31,17 +31,16 @@ class SunDial : public QWidget {
 
   protected:
     void paintEvent(QPaintEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
+    void grab(const QPointF& at) override;
+    void drag(const QPointF& at, bool fine) override;
+    void drop() override;
+    void nudge(double right, double up) override;
 
   private:
     [[nodiscard]] double radius() const;
     [[nodiscard]] SunAngles anglesAt(const QPointF& at) const;
 
-    SunAngles value_;
-    bool dragging_ = false;
+    SunAngles value_, dragged_;
 };
 
 }  // namespace glint

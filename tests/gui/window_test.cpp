@@ -1,5 +1,6 @@
 // The whole window with real events, rendering in the background all the time.
 #include <QApplication>
+#include <QDockWidget>
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
@@ -15,6 +16,7 @@
 #include "gui/app/text.h"
 #include "gui/panels/environment_picker.h"
 #include "gui/panels/property_panel.h"
+#include "gui/widgets/dial.h"
 #include "gui/widgets/message_bar.h"
 #include "gui/widgets/status_line.h"
 #include "support.h"
@@ -382,6 +384,61 @@ class WindowTest : public QObject {
         QCOMPARE(window->renderer().channel(), Channel::Beauty);
         QTest::keyClick(&window->view(), Qt::Key_7);
         QCOMPARE(window->renderer().channel(), Channel::Samples);
+    }
+    void narrowWindowHasItsDocksInOneStackAndAWideOneBesideThePicture() {
+        const auto window = openWindow();
+        auto* objects = window->findChild<QDockWidget*>("objects");
+        QCOMPARE(window->dockWidgetArea(objects), Qt::LeftDockWidgetArea);
+        window->resize(800, 600);
+        QTRY_COMPARE(window->dockWidgetArea(objects), Qt::RightDockWidgetArea);
+        QTRY_VERIFY(window->view().width() >= 400);
+        QTRY_COMPARE(window->size(), QSize(800, 600));
+        window->resize(1400, 900);
+        QTRY_COMPARE(window->dockWidgetArea(objects), Qt::LeftDockWidgetArea);
+        QVERIFY(objects->isVisible());
+    }
+    void dockDoesNotGrowWithTheForm() {
+        const auto window = openWindow();
+        window->resize(1400, 900);
+        QTest::qWait(50);
+        const QSize picture = window->view().size();
+        window->selection().set({kBall});
+        QTest::qWait(50);
+        QCOMPARE(window->view().size(), picture);
+    }
+    void dialsTurnByDragAndEscapeTakesItBack() {
+        Scene scene = smallScene();
+        scene.environment.sky = Sky{};
+        const auto window = openWindow(scene);
+        window->findChild<QDockWidget*>("environment")->raise();
+        auto* turn = window->findChild<Dial*>("environment.dial");
+        auto* sun = window->findChild<Dial*>("environment.sun");
+        QVERIFY(turn && sun);
+        QTRY_VERIFY(sun->isVisible() && sun->size() == sun->sizeHint());
+        const auto at = [](const Dial* dial, double right, double up) { return dial->rect().center() + QPoint(static_cast<int>(right * dial->width() / 2), -static_cast<int>(up * dial->height() / 2)); };
+        Document& document = window->document();
+        // From the top a quarter clockwise.
+        test::drag(turn, Qt::LeftButton, at(turn, 0, 0.6), at(turn, 0.6, 0));
+        QVERIFY(std::abs(document.committed().environment.rotationDegrees - 90) < 8);
+        test::drag(sun, Qt::LeftButton, at(sun, 0, 0), at(sun, 0.5, 0));
+        const DVec3 east = document.committed().environment.sky->sunDirection;
+        QVERIFY(east.x > 0.5 && std::abs(east.z) < 0.1 && east.y > 0.2);
+        QCOMPARE(document.undoStack().count(), 2);
+        const Scene before = document.scene();
+        for (Dial* dial : {turn, sun}) {
+            QTest::mousePress(dial, Qt::LeftButton, {}, at(dial, -0.5, 0));
+            QMouseEvent move(QEvent::MouseMove, QPointF(at(dial, 0, -0.5)), QPointF(), Qt::NoButton, Qt::LeftButton, {});
+            QApplication::sendEvent(dial, &move);
+            QVERIFY(document.isPreviewing());
+            QTest::mouseRelease(dial, Qt::RightButton, {}, at(dial, 0, 0));  // Another button ends nothing.
+            QVERIFY(document.isPreviewing());
+            QTest::keyClick(dial, Qt::Key_Escape);
+            QVERIFY(!document.isPreviewing() && document.scene() == before);
+            QTest::mouseRelease(dial, Qt::LeftButton, {}, at(dial, 0, 0));
+            QVERIFY(document.scene() == before);
+        }
+        QTest::keyClick(turn, Qt::Key_Right);
+        QVERIFY(std::abs(document.committed().environment.rotationDegrees - before.environment.rotationDegrees - 5) < 1e-9);
     }
     void numbersLoseDigitsRatherThanBeingCut() {
         DragNumber number;
