@@ -3,10 +3,13 @@
 #include <QCommandLineParser>
 #include <QScreen>
 #include <QTimer>
+#include <cstdio>
 
 #include "gui/app/file_controller.h"
 #include "gui/app/main_window.h"
+#include "gui/app/renderer.h"
 #include "gui/app/text.h"
+#include "gui/viewport/render_view.h"
 
 namespace {
 
@@ -14,6 +17,27 @@ namespace {
 void takeScreenshotLater(QWidget* window, const QString& file, int milliseconds) {
     QTimer::singleShot(milliseconds, window, [window, file] { QCoreApplication::exit(window->grab().save(file) ? 0 : 3); });
 }
+
+/// Says on standard output that the first picture of the scene has been drawn, and quits: for measuring the start.
+class FirstPicture : public QObject {
+  public:
+    explicit FirstPicture(glint::MainWindow& window) : QObject(&window), window_(window) { window.view().installEventFilter(this); }
+
+    bool eventFilter(QObject*, QEvent* event) override {
+        // Queued: when it is said, the picture has been handed to the screen.
+        if (event->type() == QEvent::Paint && window_.renderer().frame()) QMetaObject::invokeMethod(this, &FirstPicture::say, Qt::QueuedConnection);
+        return false;
+    }
+
+  private:
+    void say() {
+        std::puts("first picture");
+        std::fflush(stdout);
+        QCoreApplication::quit();
+    }
+
+    glint::MainWindow& window_;
+};
 
 /// Theme and language of a screenshot; nothing of it is kept.
 void dress(glint::MainWindow& window, bool light, const QString& language) {
@@ -49,8 +73,8 @@ int main(int argc, char** argv) {
     parser.addVersionOption();
     parser.addPositionalArgument("scene", QApplication::translate("main", "Scene file to open."), "[scene]");
     QCommandLineOption screenshot("screenshot", {}, "file"), after("after", {}, "ms", "2000"), size("size", {}, "WxH"),
-        light("light"), language("language", {}, "code"), select("select", {}, "name");
-    for (QCommandLineOption* option : {&screenshot, &after, &size, &light, &language, &select}) {
+        light("light"), language("language", {}, "code"), select("select", {}, "name"), firstPicture("first-picture");
+    for (QCommandLineOption* option : {&screenshot, &after, &size, &light, &language, &select, &firstPicture}) {
         option->setFlags(QCommandLineOption::HiddenFromHelp);
         parser.addOption(*option);
     }
@@ -68,6 +92,7 @@ int main(int argc, char** argv) {
     window.show();
     const QString selected = parser.value(select);
     if (!selected.isEmpty()) QObject::connect(&window.document(), &glint::Document::replaced, &window, [&window, selected] { selectByName(window, selected); });
+    if (parser.isSet(firstPicture)) new FirstPicture(window);
     if (visit) takeScreenshotLater(&window, parser.value(screenshot), parser.value(after).toInt());
     return QApplication::exec();
 }

@@ -1,5 +1,6 @@
 // glint-window-bench: the editor's window under random edits: how long its thread is held, how soon an edit is on the screen, and what a
-// window costs that has nothing to do. A measurement, not a test. Usage: glint-window-bench SCENE [EDITS] [JSON]
+// window costs that has nothing to do. A measurement, not a test. Usage: glint-window-bench SCENE [EDITS] [JSON], or for memory
+// glint-window-bench soak SCENE [MINUTES] [JSON].
 #include <QApplication>
 #include <QEventLoop>
 #include <QPaintEvent>
@@ -18,6 +19,7 @@
 #include "tests/bench/clock.h"
 #include "tests/bench/output.h"
 #include "tests/bench/viewport_scene.h"
+#include "tests/gui/window_soak.h"
 #include "tracer/io/scene_json.h"
 
 using namespace glint;
@@ -90,8 +92,13 @@ void rest(int milliseconds) {
 
 int main(int argc, char** argv) {
     TimedApplication application(argc, argv);
+    const bool soaks = argc > 1 && std::string_view(argv[1]) == "soak";
+    if (soaks) {
+        --argc;
+        ++argv;
+    }
     if (argc < 2) {
-        std::fprintf(stderr, "usage: glint-window-bench SCENE [EDITS] [JSON]\n");
+        std::fprintf(stderr, "usage: glint-window-bench SCENE [EDITS] [JSON]\n       glint-window-bench soak SCENE [MINUTES] [JSON]\n");
         return 1;
     }
     auto loaded = loadScene(argv[1]);
@@ -109,6 +116,11 @@ int main(int argc, char** argv) {
     if (!QTest::qWaitFor([&] { return frame() && frame()->spp > 0; }, 60000)) return complain({.message = "no picture came"}, 4);
     std::printf("picture of %d x %d\n", frame()->width, frame()->height);
 
+    Json json = Json::array();
+    if (soaks) {
+        soak(window, argc > 2 ? std::atof(argv[2]) : 60, json);
+        return writeJson(argc > 3 ? argv[3] : "", json) ? 0 : 3;
+    }
     std::mt19937 random(1);
     Times edit;
     std::vector<double> shown;
@@ -134,7 +146,6 @@ int main(int argc, char** argv) {
         if (!QTest::qWaitFor([&] { return !sinceEdit; }, 10000)) return complain({.message = "an edit was not shown within ten seconds"}, 4);
         QTest::qWait(static_cast<int>(random() % 40));
     }
-    Json json = Json::array();
     print("take a frame", application.take, json);
     print("draw it", application.paint, json);
     print("edit call, whole window", edit, json);
