@@ -197,5 +197,45 @@ TEST(LivingPicture, MixedLightEqualsNewLight) {
     }
 }
 
+TEST(LivingPicture, OneLampAloneIsScaled) {
+    SceneBuilder b;
+    b.object(Plane{}, b.material(Diffuse{}));
+    b.pointLight({0, 2, 0}, {1, 1, 1});
+    b.camera({0, 2, 6}, {0, 0, 0}, 40);
+    b.scene().film.width = b.scene().film.height = 8;
+    b.scene().render.spp = 4;
+    WorkerPool pool(1);
+    LivingPicture picture(pool);
+    picture.takeUp(wishFor(b.scene()));
+    finish(picture);
+    const Film before = picture.picture().film;
+    Scene after = b.scene();
+    const LightId id = after.lights.ids().front();
+    Light light = after.lights.at(id);
+    lightColor(light) = {2, 0.5, 4};
+    after.lights.set(id, light);
+    picture.takeUp(wishFor(after));
+    EXPECT_EQ(picture.retracedShare(), 0);
+    const DVec3 gain(2, 0.5, 4);
+    for (int i = 0; i < 8; ++i) EXPECT_LT(glm::length(picture.picture().film.at(i, 7).sumA - gain * before.at(i, 7).sumA), 1e-9);
+}
+
+/// What is shown until a resized picture has samples is of the same scene, and of as many groups of light.
+TEST(LivingPicture, AnotherSceneTakesTheResizedPictureAway) {
+    SceneBuilder b = materialStage(Integrator::Path);
+    WorkerPool pool(2);
+    LivingPicture picture(pool);
+    const auto sized = [](const Scene& scene, int width) { return LivingPicture::Wish{scene, {}, width, 18, std::nullopt}; };
+    picture.takeUp(sized(b.scene(), 24));
+    finish(picture);
+    picture.takeUp(sized(b.scene(), 30));
+    EXPECT_TRUE(picture.backdrop());
+    picture.takeUp(sized(b.scene(), 36));
+    EXPECT_TRUE(picture.backdrop());
+    b.pointLight({-2, 3, 2}, {3, 3, 3});
+    picture.takeUp(sized(b.scene(), 40));
+    EXPECT_FALSE(picture.backdrop());
+}
+
 }  // namespace
 }  // namespace glint

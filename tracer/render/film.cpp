@@ -58,6 +58,7 @@ HalfMoments Film::momentsA(int x, int y) const {
 }
 
 FilmPixel Film::mixed(const Sums& sums, int x, int y) const {
+    if (groups_ == 1) return {mix_.gain[0] * sums.a, mix_.gain[0] * sums.b, sums.materials, sums.samples};
     FilmPixel out{DVec3(0.0), DVec3(0.0), sums.materials, sums.samples};
     const Vec3* light = tiles_[tileOf(x, y)]->light.get() + placeOf(x, y) * 2 * groups_;
     for (std::size_t g = 0; g < groups_; ++g) {

@@ -72,6 +72,8 @@ void LivingPicture::forgetSamples() {
 void LivingPicture::keep(const LightMix& mix) {
     if (!(mix == picture_.film.mix())) {
         picture_.film.setMix(mix);
+        // A film too large for sums by group has one alone, and cannot follow.
+        if (backdrop_ && backdrop_->film.groups() != picture_.film.groups()) backdrop_.reset();
         if (backdrop_) backdrop_->film.setMix(mix);
     }
     retracedShare_ = 0;
@@ -125,9 +127,10 @@ void LivingPicture::restart(Scene next) {
         return;
     }
     const bool sameSize = picture_.film.width() == wish_.width && picture_.film.height() == wish_.height;
-    const bool resized = picture_.scene && !sameSize && picture_.shownStride == 1 && onlySizeDiffers(next);
-    if (resized) backdrop_ = Backdrop{picture_.film, 0, pixelStep(next, picture_.traced)};
-    else if (sameSize || !backdrop_ || backdrop_->retraced) backdrop_.reset();
+    const bool resized = picture_.scene && !sameSize && onlySizeDiffers(next);
+    if (resized && picture_.shownStride == 1) backdrop_ = Backdrop{picture_.film, 0, pixelStep(next, picture_.traced)};
+    else if (resized && backdrop_ && !backdrop_->retraced) backdrop_->scale *= pixelStep(next, picture_.traced);  // Resized again before it was shown.
+    else backdrop_.reset();
     adopt(std::move(compiled).value());
     prepareFilm(sameSize);
     picture_.traced = std::move(next);
