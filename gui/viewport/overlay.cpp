@@ -1,7 +1,8 @@
 #include "gui/viewport/overlay.h"
 
 #include <QLineF>
-#include <QPainterPath>
+#include <QPainter>
+#include <QRegion>
 #include <algorithm>
 #include <cmath>
 
@@ -143,10 +144,10 @@ void paintSafeFrame(QPainter& painter, const FilmSettings& film, const ViewProje
     const QRectF all(0, 0, view.width(), view.height());
     QRectF frame(QPointF(), QSizeF(film.width, film.height).scaled(all.size(), Qt::KeepAspectRatio));
     frame.moveCenter(all.center());
-    QPainterPath outside;
-    outside.addRect(all);
-    outside.addRect(frame);
-    painter.fillPath(outside, QColor(0, 0, 0, 90));
+    // Whole pixels without smoothing: nothing else that is drawn over the picture is as large.
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    for (const QRect& strip : QRegion(all.toAlignedRect()) - QRegion(frame.toRect())) painter.fillRect(strip, QColor(0, 0, 0, 90));
+    painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(255, 255, 255, 90), 1));
     painter.drawRect(frame);

@@ -306,7 +306,8 @@ void RenderView::updateSize() { context_.renderer.setSize(size() * devicePixelRa
 
 void RenderView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), QColor(24, 24, 24));
+    const SessionFrame* shown = context_.renderer.frame();
+    if (!shown || !pictureRect().contains(rect())) painter.fillRect(rect(), QColor(24, 24, 24));
     paintPicture(painter);
     painter.setRenderHint(QPainter::Antialiasing);
     if (overlayShown_) paintOverlay(painter);

@@ -208,10 +208,13 @@ class MonkeyTest : public QObject {
             }
             constexpr std::size_t kMost = 300;
             if (scene.objects.size() > kMost) window->document().replace(smallScene(), {});
+            if ((i + 1) % 250 == 0) {
+                std::printf("%d actions\n", i + 1);
+                std::fflush(stdout);
+            }
         }
         while (window->document().undoStack().canUndo()) window->document().undoStack().undo();
         for (const char* scheme : {"file", "http", "https"}) QDesktopServices::unsetUrlHandler(scheme);
-        std::printf("%d actions\n", actions);
     }
 };
 

@@ -155,7 +155,7 @@ int main(int argc, char** argv) {
     Scene ends = window.document().scene();
     ends.render.spp = 4;
     window.document().edit(ends, QStringLiteral("Edit"));
-    if (!QTest::qWaitFor([&] { return frame()->state == SessionState::Converged; }, 60000)) return complain({.message = "the picture did not converge"}, 4);
+    if (!QTest::qWaitFor([&] { return frame()->state == SessionState::Converged; }, 600000)) return complain({.message = "the picture did not converge"}, 4);
     const auto idle = [&](const char* what) {
         // Pictures of materials and the like may still be in the making.
         for (int i = 0; i < 60; ++i) {
