@@ -193,6 +193,10 @@ class MonkeyTest : public QObject {
         const auto window = openWindow();
         window->resize(900, 600);
         window->actions()["file.quit"]->setEnabled(false);
+        // The demos can be opened from the start page, and are not to be saved as what becomes of them.
+        connect(&window->document(), &Document::replaced, window.get(), [&window] {
+            window->actions()["file.save"]->setEnabled(!window->document().file().string().starts_with(GLINT_SOURCE_DIR));
+        });
         Monkey monkey(*window, kSeed);
         for (int i = 0; i < actions; ++i) {
             monkey.act();
