@@ -166,24 +166,25 @@ TEST(EnvironmentDensity, CompensatedIsZeroBelowTheMean) {
     EXPECT_GT(map.pdf(directionAt(5.5 / 16, 3.5 / 8)), 6);
 }
 
-constexpr int kColumns = 32, kRows = 16;
+/// 80 x 160 cells in the full form, even in the picture's rows and columns.
+const int kRows = test::fullCounts() ? 80 : 16, kColumns = 2 * kRows;
 using Bins = std::vector<double>;
 
 Bins expectedBins(const EnvironmentMap& map, double samples) {
-    constexpr int kSub = 16;
-    Bins bins(kColumns * kRows, 0.0);
-    const double cell = 2 * kPi * kPi / (kColumns * kRows * kSub * kSub);
-    for (int j = 0; j < kRows * kSub; ++j)
-        for (int i = 0; i < kColumns * kSub; ++i) {
-            const double u = (i + 0.5) / (kColumns * kSub), v = (j + 0.5) / (kRows * kSub);
-            bins[static_cast<std::size_t>(j / kSub * kColumns + i / kSub)] +=
+    const int sub = test::fullCounts() ? 8 : 16;
+    Bins bins(static_cast<std::size_t>(kColumns * kRows), 0.0);
+    const double cell = 2 * kPi * kPi / (kColumns * kRows * sub * sub);
+    for (int j = 0; j < kRows * sub; ++j)
+        for (int i = 0; i < kColumns * sub; ++i) {
+            const double u = (i + 0.5) / (kColumns * sub), v = (j + 0.5) / (kRows * sub);
+            bins[static_cast<std::size_t>(j / sub * kColumns + i / sub)] +=
                 map.pdf(directionAt(u, v)) * std::sin(kPi * v) * cell * samples;
         }
     return bins;
 }
 
 Bins observedBins(const EnvironmentMap& map, int samples) {
-    Bins bins(kColumns * kRows, 0.0);
+    Bins bins(static_cast<std::size_t>(kColumns * kRows), 0.0);
     std::mt19937 random(5);
     std::uniform_int_distribution<int> uniform(0, (1 << 24) - 1);
     for (int i = 0; i < samples; ++i) {
@@ -199,7 +200,7 @@ Bins observedBins(const EnvironmentMap& map, int samples) {
     return bins;
 }
 
-constexpr int kSamples = 200'000;
+const int kSamples = test::fullCounts() ? 4'000'000 : 200'000;
 constexpr int kChiSquareTests = 22;
 const double kCriticalP = test::sidak(1e-3, kChiSquareTests);
 

@@ -51,10 +51,14 @@ void FullRun::TearDown() {
     std::fclose(record);
 }
 
+std::uint64_t askedOf(std::uint64_t count) {
+    return std::max<std::uint64_t>(1,
+                                   static_cast<std::uint64_t>(share * static_cast<double>(count)));
+}
+
 Tally tallyInParallel(std::uint64_t total, std::uint64_t seed,
                       const std::function<Tally(Random&, std::uint64_t)>& piece) {
-    total =
-        std::max<std::uint64_t>(1, static_cast<std::uint64_t>(share * static_cast<double>(total)));
+    total = askedOf(total);
     const std::uint64_t pieces = std::clamp<std::uint64_t>(total / 4096, 1, 1024);
     std::vector<Tally> tallies(pieces);
     WorkerPool pool(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));

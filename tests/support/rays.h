@@ -165,8 +165,12 @@ struct Tally {
     void print(const std::string& what) const;
 };
 
-/// Runs `piece(random, count)` for `total` cases in pieces with fixed seeds, on all processors, and
-/// adds up what they return, so that the outcome does not depend on the number of threads.
+/// The share of `count` that GLINT_FULL asks for in a full test, at least 1; all of it elsewhere.
+[[nodiscard]] std::uint64_t askedOf(std::uint64_t count);
+
+/// Runs `piece(random, count)` for askedOf(total) cases in pieces with fixed seeds, on all
+/// processors, and adds up what they return, so that the outcome does not depend on the number of
+/// threads.
 [[nodiscard]] Tally tallyInParallel(std::uint64_t total, std::uint64_t seed,
                                     const std::function<Tally(Random&, std::uint64_t)>& piece);
 
