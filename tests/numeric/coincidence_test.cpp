@@ -191,6 +191,58 @@ TEST(Coincidence, ARugOnAFloorIsLitLikeOneThatHovers) {
     for (const float value : b.render().beauty.rgb) ASSERT_NEAR(value, 0.2, 1e-6);
 }
 
+/// A room is a box or a cylinder seen from within. A rug on its floor, a picture on its wall
+/// and the ground that it stands on look as they do a hair above, behind and below.
+TEST(Coincidence, WhatLiesOnTheInsideOfARoomIsLitLikeWhatHovers) {
+    const auto picture = [](const Shape& room, double hair, bool groundFirst) {
+        SceneBuilder b;
+        const MaterialId grey = b.material(Diffuse{Color{0.5, 0.5, 0.5}});
+        const MaterialId red = b.material(Diffuse{Color{0.6, 0.2, 0.1}});
+        if (groundFirst) b.object(Plane{}, grey, {0, -hair, 0});
+        b.object(room, grey, {0.1, 1.35, 0});
+        if (!groundFirst) b.object(Plane{}, grey, {0, -hair, 0});
+        b.object(Quad{{1.1, 0.9}}, red, {-0.7, hair, 0.3});
+        b.object(Disk{0.4}, red, {0.6, hair, 0.2});
+        const ObjectId id = b.object(Quad{{0.8, 0.6}}, red, {0.2, 1.1, -2 + hair});
+        Object wall = b.scene().objects.at(id);
+        wall.transform.rotateDegrees = {90, 0, 0};
+        b.scene().objects.set(id, wall);
+        b.object(Sphere{0.2}, {}, {0.3, 2.2, 0.2}, {10, 10, 10});
+        b.camera({0, 1.5, 1.8}, {0, 0.7, 0}, 70);
+        b.film(32, 24, 16);
+        return b.render().beauty;
+    };
+    for (const Shape& room : {Shape(Box{{4, 2.7, 4}}), Shape(Cylinder{2.5, 2.7})})
+        for (const bool groundFirst : {true, false}) {
+            const Image flush = picture(room, 0, groundFirst),
+                        hovering = picture(room, 1e-7, groundFirst);
+            for (int channel = 0; channel < 3; ++channel) {
+                const double a = estimateMean(flush, channel).mean,
+                             c = estimateMean(hovering, channel).mean;
+                EXPECT_GT(c, 0.03);
+                // Where the ground comes last it is what is seen: its frame turns the samples, so
+                // the noise differs.
+                EXPECT_NEAR(a, c, (groundFirst ? 1e-3 : 2e-2) * c)
+                    << kindOf(room) << ", channel " << channel;
+            }
+        }
+}
+
+/// From below, the ground shows what stands on it, lit.
+TEST(Coincidence, ABoxOnTheGroundIsLitFromBelow) {
+    for (const bool groundFirst : {true, false}) {
+        SceneBuilder b;
+        const MaterialId grey = b.material(Diffuse{Color{0.4, 0.4, 0.4}});
+        if (groundFirst) b.object(Plane{}, grey, {0, 0.3, 0});
+        b.object(Box{{2, 1, 2}}, grey, {0.1, 0.8, 0});
+        if (!groundFirst) b.object(Plane{}, grey, {0, 0.3, 0});
+        b.scene().environment.color = Color{1, 1, 1};
+        b.camera({1, -3, 5}, {0, 0.3, 0}, 20);
+        b.film(32, 24, 4);
+        for (const float value : b.render().beauty.rgb) ASSERT_NEAR(value, 0.4, 1e-6);
+    }
+}
+
 /// A lamp in the plane of the ceiling gives the light of one a hair below it.
 TEST(Coincidence, ALampFlushWithTheCeilingIsNotShadowedByIt) {
     for (const Shape& lamp : {Shape(Quad{{1, 1}}), Shape(Disk{0.5}), Shape(Box{{1, 0.2, 1}})}) {

@@ -132,11 +132,11 @@ inline constexpr const char* kShapeNames[] = {"sphere", "box",      "plane", "qu
     std::snprintf(text, sizeof text,
                   "%s ratio=%a center={%a,%a,%a} worldFromLocal={{%a,%a,%a},{%a,%a,%a},{%a,%a,%a}} "
                   "origin={%a,%a,%a} "
-                  "direction={%a,%a,%a} fromShape=%u fromInside=%d",
+                  "direction={%a,%a,%a} fromShape=%u fromInside=%d returns=%d",
                   nameOf(s.shape), ratio, s.center.x, s.center.y, s.center.z, m[0].x, m[0].y,
                   m[0].z, m[1].x, m[1].y, m[1].z, m[2].x, m[2].y, m[2].z, ray.origin.x,
                   ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z,
-                  ray.fromShape, ray.fromInside ? 1 : 0);
+                  ray.fromShape, ray.fromInside ? 1 : 0, ray.returns ? 1 : 0);
     return text;
 }
 

@@ -227,6 +227,14 @@ TEST(SceneErrors, ADuplicateOfAHostileNameStaysOneShortLine) {
     EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 
+TEST(SceneErrors, NamesCannotTurnTheTextAroundThem) {
+    const auto scene = parseScene(
+        R"({"glint": 1, "objects": [{"name": "A", "shape": {"type": "plane"}, "material": "B\u202eé\u2066"}]})",
+        "a");
+    ASSERT_FALSE(scene);
+    EXPECT_NE(scene.error().text().find("\"B?é?\""), std::string::npos) << scene.error().text();
+}
+
 TEST(SceneErrors, DecimalSharesThatSumToOneAreFine) {
     const auto scene = parseScene(
         R"({"glint": 1, "materials": [{"name": "a", "type": "translucent", "reflectance": [0.7, 0.9, 0.1], "transmittance": [0.3, 0.1, 0.9]}]})",

@@ -63,17 +63,20 @@ template <class Shape>
         if (isWithin(shape, o)) {
             const int face = shape.nearestFace(o);
             const Passing at = passingOf(shape, placed.localFromWorld, o, d, face);
-            if (-at.height <= kPlaceRounding * place && at.cosine < 0) return {0.0, face};
+            if (-at.height <= kPlaceRounding * place && at.cosine < 0)
+                return ray.returns ? shape.first(o, d, Start::Entering) : Crossing{0.0, face};
         }
     if (!found.found()) return found;
     const Passing at = passingOf(shape, placed.localFromWorld, o, d, found.face);
-    const bool touches = std::abs(at.height) <= kPlaceRounding * place;
-    return touches && (!Shape::closed || at.cosine > 0) ? shape.first(o, d, Start::Leaving) : found;
+    if (!(std::abs(at.height) <= kPlaceRounding * place)) return found;
+    if (!Shape::closed || at.cosine > 0) return shape.first(o, d, Start::Leaving);
+    return ray.returns ? shape.first(o, d, Start::Entering) : found;
 }
 
 /// The first hit of a ray on a shape; `o` and `d` are its origin and direction in the shape's
 /// space. Where the ray starts on another surface and this one coincides with that, it starts on
-/// this one too: it does not meet it on the way out, and meets it at once on the way in.
+/// this one too: it does not meet it on the way out, and meets it at once on the way in, unless the
+/// path was inside already (a rug on the floor of a room that is a box) and goes back there.
 template <class Shape>
 [[nodiscard]] Crossing firstHitOf(const Placed<Shape>& placed, const Ray& ray, const DVec3& o,
                                   const DVec3& d, Start start) {

@@ -101,6 +101,20 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return up[b.size()];
 }
 
+/// Bytes of the control character that `text` begins with, 0 for any other: ASCII's, and those that
+/// turn the direction of the text around them (U+200E, U+200F, U+202A to U+202E, U+2066 to U+2069).
+std::size_t controlAt(std::string_view text) {
+    const auto byte = [&](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+    };
+    if (byte(0) < 0x20 || byte(0) == 0x7F) return 1;
+    if (byte(0) != 0xE2) return 0;
+    const bool turns = (byte(1) == 0x80 && (byte(2) == 0x8E || byte(2) == 0x8F)) ||
+                       (byte(1) == 0x80 && byte(2) >= 0xAA && byte(2) <= 0xAE) ||
+                       (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9);
+    return turns ? 3 : 0;
+}
+
 }  // namespace
 
 std::string formatJson(const Json& json) {
@@ -149,10 +163,14 @@ std::string shortened(std::string_view text, std::size_t limit) {
         return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;
     };
     while (length > 0 && length < text.size() && continues(length)) --length;
-    std::string out(text.substr(0, length));
-    for (char& c : out)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-    return length < text.size() ? out + "..." : out;
+    std::string out;
+    std::size_t i = 0;
+    while (i < length) {
+        const std::size_t control = controlAt(text.substr(i));
+        out += control > 0 ? '?' : text[i];
+        i += std::max<std::size_t>(1, control);
+    }
+    return i < text.size() ? out + "..." : out;
 }
 
 std::string inQuotes(std::string_view text) { return '"' + shortened(text) + '"'; }

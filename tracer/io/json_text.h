@@ -49,8 +49,8 @@ struct TextPlace {
 /// The tokens of a JSON pointer, unescaped; "/a/b" has two.
 [[nodiscard]] std::vector<std::string> pointerTokens(std::string_view pointer);
 
-/// `text` fit for an error message: control characters as '?', at most `limit` bytes with "..."
-/// behind, never half a character.
+/// `text` fit for an error message: control characters, also those that turn the direction of text,
+/// as '?', at most `limit` bytes with "..." behind, never half a character.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t limit = 60);
 /// shortened() in double quotes.
 [[nodiscard]] std::string inQuotes(std::string_view text);

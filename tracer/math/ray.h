@@ -15,6 +15,7 @@ struct Ray {
     DVec3 direction{0.0, 0.0, -1.0};       ///< unit length
     std::uint32_t fromShape = kNoShape;    ///< index of the shape instance the origin lies on
     bool fromInside = false;               ///< the ray starts towards the inside of `fromShape`
+    bool returns = false;                  ///< it starts towards the side of `fromShape` that the path came from
 
     [[nodiscard]] DVec3 at(double t) const { return origin + t * direction; }
 };

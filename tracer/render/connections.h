@@ -246,8 +246,8 @@ class Connections {
         if (isBlack(f.f)) return;
         const int last = way.meetings() - 1;
         const std::uint32_t emitter = scene_.lights.lights[way.light].shape;
-        if (!isClear({x, outgoing, vertex_.point.shape, wi.z < 0}, media, distance, caster.shape) || !isClearInside(caster, way) ||
-            !isClear({way.points[static_cast<std::size_t>(last)], way.onward, caster.shape, false}, {}, way.toLight, emitter))
+        if (!isClear(vertex_.point.ray(outgoing, wi.z < 0), media, distance, caster.shape) || !isClearInside(caster, way) ||
+            !isClear({way.points[static_cast<std::size_t>(last)], way.onward, caster.shape, false, way.reflectsAt(last)}, {}, way.toLight, emitter))
             return;
         // So far all went by what Caster holds, and an edit that changes that starts the picture anew: see sameStructure().
         state_.materials |= scene_.materials[scene_.shapes[caster.shape].material].bit;
@@ -290,7 +290,7 @@ class Connections {
             if (!(length > 0)) continue;
             MediaStack media;
             media.cross(caster.shape);
-            if (!isClear({way.points[static_cast<std::size_t>(i)], along / length, caster.shape, true}, media, length, caster.shape)) return false;
+            if (!isClear({way.points[static_cast<std::size_t>(i)], along / length, caster.shape, true, way.reflectsAt(i)}, media, length, caster.shape)) return false;
         }
         return true;
     }

@@ -70,7 +70,7 @@ GuideSample traceGuide(const RenderScene& scene, int x, int y, std::uint32_t sam
         const DeltaBranch& branch = brightest(branches);
         out.seenAlbedo *= branch.weight / branch.scale;
         media = mediaBeyond<kAllFeatures>(state, point, media, branch.wi);
-        ray = branch.straight ? Ray{point.position, ray.direction, point.shape, branch.wi.z < 0} : point.ray(branch.wi);
+        ray = branch.straight ? point.ray(ray.direction, branch.wi.z < 0) : point.ray(branch.wi);
     }
     out.seenNormal = -toFloat(ray.direction);
     return out;

@@ -282,7 +282,7 @@ class PathTracer {
 
     void leave(Path& path, const SurfacePoint& point, const Vec3& wi, bool straight) {
         if constexpr (has(F, Feature::Media)) path.media = mediaBeyond<F>(state_, point, path.media, wi);
-        path.ray = straight ? Ray{point.position, path.ray.direction, point.shape, wi.z < 0} : point.ray(wi);
+        path.ray = straight ? point.ray(path.ray.direction, wi.z < 0) : point.ray(wi);
         path.straightFromCamera = path.straightFromCamera && straight;
         if constexpr (has(F, Feature::Layers)) path.bounces += straight ? 0 : 1;
         ++path.depth;
@@ -343,7 +343,7 @@ class PathTracer {
             if constexpr (!has(F, Feature::NoSkips)) return;
             ++state_.work[Work::BlackShadowRays];
         }
-        const Ray ray{point.position, s.wi, point.shape, wi.z < 0};
+        const Ray ray = point.ray(s.wi, wi.z < 0);
         const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(state_, point, path.media, wi), s.distance, s.shape,
                                                  scene_.settings.maxDepth - path.depth - 1, false);
         if (isBlack(share)) return;

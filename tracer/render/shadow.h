@@ -62,7 +62,7 @@ template <Features F>
         }
         if (instance.dielectric) media.cross(hit.shape);
         tMax -= hit.t;
-        ray = {point.position, ray.direction, hit.shape, point.outside};
+        ray = point.ray(ray.direction, point.outside);
     }
 }
 

@@ -52,7 +52,9 @@ struct SurfacePoint {
     /// The normal on wo's side.
     [[nodiscard]] DVec3 facingNormal() const { return outside ? frame.n : -frame.n; }
     /// A ray that starts here in the local direction `wi`.
-    [[nodiscard]] Ray ray(const Vec3& wi) const { return {position, glm::normalize(frame.toWorld(wi)), shape, wi.z < 0}; }
+    [[nodiscard]] Ray ray(const Vec3& wi) const { return ray(glm::normalize(frame.toWorld(wi)), wi.z < 0); }
+    /// A ray that starts here in a direction of render space, inwards or outwards.
+    [[nodiscard]] Ray ray(const DVec3& direction, bool inwards) const { return {position, direction, shape, inwards, inwards != outside}; }
 };
 
 /// The point hit by `ray`, which is in `media`. The hit is put back onto the surface in local space, so its error is a few
