@@ -31,12 +31,13 @@ MaterialLeaves BsdfBuilder::build(MaterialId id) {
     if (const Material* material = scene_.materials.find(id))
         if (const auto* mix = std::get_if<Mix>(&material->value)) (void)value(mix->amount);
     for (const auto& [part, share] : blendOf(id)) {
+        const Rgb weight(share);  // A lambda may not capture the binding itself in clang 14.
         if (!part)
-            add(ClearBsdf{}, Rgb(share));
+            add(ClearBsdf{}, weight);
         else if (share > 0)
             std::visit(
                 [&]<class M>(const M& m) {
-                    if constexpr (!std::is_same_v<M, Mix>) m.compile(*this, Rgb(share));
+                    if constexpr (!std::is_same_v<M, Mix>) m.compile(*this, weight);
                 },
                 scene_.materials.at(part).value);
     }
