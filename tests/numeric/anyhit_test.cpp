@@ -32,6 +32,14 @@ ShapeHit bruteForce(const World& world, const Ray& ray, const MediaStack& media)
     return best;
 }
 
+/// The glass that a ray starts in: many planes of a random world hold its origin.
+MediaStack mediaAround(const World& world, const DVec3& origin) {
+    MediaStack media;
+    for (std::uint32_t i = 0; i < world.scene.shapes.size(); ++i)
+        if (world.scene.shapes[i].dielectric && world.scene.shapes[i].holds(origin)) media.cross(i);
+    return media;
+}
+
 Tally askBothQuestions(std::uint64_t count, int shapes, bool dielectric) {
     return tallyInParallel(count, 13, [=](Random& random, std::uint64_t n) {
         Tally tally;
@@ -43,7 +51,7 @@ Tally askBothQuestions(std::uint64_t count, int shapes, bool dielectric) {
             if (i % 8 == 0) {
                 ray = {random.direction() * random.logUniform(6, 1e4), {}};
                 ray.direction = glm::normalize(random.inCube(3) - ray.origin);
-                media = {};
+                media = mediaAround(world, ray.origin);
             }
             tally.checks += 3;
             const ShapeHit hit = world.scene.lists.closest(ray, media),
