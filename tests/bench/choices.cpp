@@ -46,6 +46,9 @@ struct NoSplits : UsualEffort {
 struct NoConnections : UsualEffort {
     static constexpr bool kConnects = false;
 };
+struct NoHighlights : UsualEffort {
+    static constexpr bool kHighlights = false;
+};
 template <int kPercent>
 struct Roulette : UsualEffort {
     static constexpr float kDim = 0.01f * kPercent;
@@ -81,6 +84,7 @@ constexpr std::array kWays = {
     Way{"lights", "one by power", trace<UsualHeuristic>, chooseByPower},
     Way{"splitting", "none", trace<UsualHeuristic, NoSplits>},
     Way{"caustics", "no connections", trace<UsualHeuristic, NoConnections>},
+    Way{"highlights", "none", trace<UsualHeuristic, NoHighlights>},
     Way{"roulette", "below 1", trace<UsualHeuristic, Roulette<100>>},
     Way{"roulette", "below 0.05", trace<UsualHeuristic, Roulette<5>>},
 };
@@ -167,7 +171,7 @@ Command choicesCommand(CLI::App& root) {
     app->add_option("--width", options->width, "Pixels across; the shape stays")->check(CLI::Range(4, 8192))->capture_default_str();
     app->add_option("--spp", options->spp, "Samples a pixel, a power of two")->check(CLI::Range(1, 65536))->capture_default_str();
     app->add_option("--runs", options->runs, "Renders of each way, in turn, each with its own seed")->check(CLI::Range(2, 1000))->capture_default_str();
-    app->add_option("--only", options->only, "Only this choice: weights, lights, splitting, caustics, roulette");
+    app->add_option("--only", options->only, "Only this choice: weights, lights, splitting, caustics, highlights, roulette");
     app->add_option("--cache", options->cache, "Folder where references are kept")->capture_default_str();
     app->add_option("--json", options->json, "Write the figures to this file as JSON");
     return {app, [options] { return runChoices(*options); }};

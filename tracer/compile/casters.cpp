@@ -87,8 +87,6 @@ double capHeight(const Caster& caster, const ShapeInstance& lamp, double radius)
 
 }  // namespace
 
-int faceCount(const ShapeInstance& shape) { return std::holds_alternative<CanonicalBox>(shape.shape) ? 6 : 1; }
-
 CasterFace faceOf(const ShapeInstance& shape, int face) {
     const bool box = std::holds_alternative<CanonicalBox>(shape.shape);
     DVec3 local(0.0);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tracer/compile/light_table.h"
+#include "tracer/compile/mirror_points.h"
 #include "tracer/materials/builder.h"
 
 namespace glint {
@@ -29,8 +30,6 @@ struct Caster {
 struct CasterFace {
     DVec3 position{0.0}, normal{0.0, 1.0, 0.0};  ///< of some point on it; unit, outward
 };
-/// 6 for a box, 1 for the others.
-[[nodiscard]] int faceCount(const ShapeInstance& shape);
 [[nodiscard]] CasterFace faceOf(const ShapeInstance& shape, int face);
 
 /// A place on a light or a direction to it, drawn for a caster.

@@ -91,6 +91,7 @@ class Compiler {
         addEnvironment();
         out_->lights.finish(out_->shapes);
         out_->casters = makeCasters(out_->shapes, out_->materials, out_->lights);
+        out_->highlights = makeHighlights(out_->shapes, out_->materials, out_->lights);
         ++compiled_.stats.lightTablesBuilt;
         out_->film = scene_.film;
         out_->settings = scene_.render;
@@ -125,6 +126,12 @@ class Compiler {
         out_->materials.emplace_back().bit = materialBit({});
     }
 
+    /// All of its smooth part is one narrow lobe.
+    static bool isNarrow(const BsdfLeaf& leaf) {
+        const auto narrow = [](const auto* lobe) { return lobe && lobe->gloss().alpha <= Gloss::kWidest; };
+        return narrow(std::get_if<MetalBsdf>(&leaf)) || narrow(std::get_if<PhongBsdf>(&leaf));
+    }
+
     static CompiledMaterial finish(MaterialLeaves leaves) {
         CompiledMaterial out;
         out.dielectric = leaves.dielectric;
@@ -141,6 +148,7 @@ class Compiler {
                 },
                 weighted.leaf);
             out.pick.push_back(chance);
+            if (!isNarrow(weighted.leaf)) out.broadAlbedo += chance;
             out.smoothAlbedo += chance;
         }
         for (float& chance : out.pick)

@@ -36,6 +36,24 @@ LightSample sampleRectangle(const CompiledLight& light, const ShapeInstance& sha
     return {s.direction, s.distance, light.emission, s.pdf, light.shape};
 }
 
+/// What comes along a ray that was drawn with density `pdf` from the first face of a lamp that it meets.
+LightSample meet(const CompiledLight& light, const ShapeInstance& shape, const Ray& ray, const MediaStack& media, double pdf) {
+    const Crossing hit = hitShape(shape, light.shape, ray, media);
+    if (!hit.found()) return {};
+    if (!light.twoSided) {
+        const DVec3 localOrigin = shape.localPoint(ray.origin);
+        const DVec3 localDirection = shape.localVector(ray.direction);
+        const bool fromOutside = std::visit(
+            [&](const auto& canonical) {
+                const DVec3 p = canonical.project(localOrigin + hit.t * localDirection, hit.face);
+                return glm::dot(canonical.normal(p, hit.face), localDirection) < 0;
+            },
+            shape.shape);
+        if (!fromOutside) return {};
+    }
+    return {ray.direction, hit.t, light.emission, pdf, light.shape};
+}
+
 /// Any shape, by its own sampling.
 LightSample sampleArea(const CompiledLight& light, const ShapeInstance& shape, const Ray& from, const MediaStack& media,
                        const DVec2& u) {
@@ -46,19 +64,7 @@ LightSample sampleArea(const CompiledLight& light, const ShapeInstance& shape, c
     if (!(s.pdf > 0)) return {};
     Ray ray = from;
     ray.direction = glm::normalize(shape.worldFromLocal * s.direction);
-    const Crossing hit = hitShape(shape, light.shape, ray, media);
-    if (!hit.found()) return {};
-    if (!light.twoSided) {
-        const DVec3 localDirection = shape.localVector(ray.direction);
-        const bool fromOutside = std::visit(
-            [&](const auto& canonical) {
-                const DVec3 p = canonical.project(localOrigin + hit.t * localDirection, hit.face);
-                return glm::dot(canonical.normal(p, hit.face), localDirection) < 0;
-            },
-            shape.shape);
-        if (!fromOutside) return {};
-    }
-    return {ray.direction, hit.t, light.emission, s.pdf, light.shape};
+    return meet(light, shape, ray, media, s.pdf);
 }
 
 LightSample samplePoint(const CompiledLight& light, const DVec3& from) {
@@ -139,6 +145,17 @@ LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstanc
         }
     }
     return {};
+}
+
+LightSample lightAlong(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index, const Ray& ray, const MediaStack& media) {
+    const CompiledLight& light = lights.lights[index];
+    const double pdf = lightPdf(lights, shapes, index, ray.origin, ray.direction);
+    switch (light.kind) {
+        case LightKind::Area: return meet(light, shapes[light.shape], ray, media, pdf);
+        case LightKind::Sun: return {ray.direction, kInfinity, light.discHolds(ray.direction) ? light.emission : Rgb(0.0f), pdf};
+        case LightKind::Environment: return {ray.direction, kInfinity, lights.environment.radiance(ray.direction), pdf};
+        default: return {};
+    }
 }
 
 double lightPdf(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index, const DVec3& from,

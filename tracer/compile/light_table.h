@@ -88,6 +88,9 @@ struct LightTable {
 /// Light from `lights.lights[index]` at the start of `from` (its direction is not used); the media are the ones `from` is in.
 [[nodiscard]] LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index,
                                       const Ray& from, const MediaStack& media, const DVec2& u);
+/// What sampleLight() gives if it draws the direction of `ray`; black where that misses the light. Density 0: it draws other
+/// directions only. Not for delta lights.
+[[nodiscard]] LightSample lightAlong(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index, const Ray& ray, const MediaStack& media);
 /// The density with which sampleLight() would have drawn the direction `wi`, which reaches the light.
 [[nodiscard]] double lightPdf(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index,
                               const DVec3& from, const DVec3& wi);

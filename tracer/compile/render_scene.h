@@ -9,6 +9,7 @@
 
 #include "tracer/compile/camera_model.h"
 #include "tracer/compile/casters.h"
+#include "tracer/compile/highlights.h"
 #include "tracer/compile/light_table.h"
 #include "tracer/compile/shape_lists.h"
 #include "tracer/materials/builder.h"
@@ -46,6 +47,7 @@ struct CompiledMaterial {
     std::vector<WeightedLeaf> leaves;
     std::vector<float> pick;  ///< chance of each leaf's smooth part, in proportion to weight times albedo; sums to 1 or 0
     float smoothAlbedo = 0;   ///< of all smooth parts together, for choosing between them and delta branches
+    float broadAlbedo = 0;    ///< of those that are not one narrow lobe alone
     bool hasDelta = false;
     bool isRough = false;     ///< some leaf is, see kIsRough
     Rgb straight{0.0f};       ///< factor on light that passes straight through, at most; black: opaque to shadow rays
@@ -66,6 +68,7 @@ struct RenderScene {
     std::vector<CompiledMaterial> materials;
     LightTable lights;
     CasterTable casters;
+    HighlightTable highlights;
     CameraModel camera;
     MediaStack cameraMedia;  ///< the dielectrics around the camera, where all of its rays start
     std::vector<std::uint32_t> cameraBoundaries;  ///< those that some of its rays may start inside of: lens, orthographic

@@ -158,23 +158,34 @@ void EnvironmentMap::computeMean() {
         rowWeights[static_cast<std::size_t>(band.upper)] += w.upper;
         rowWeights[static_cast<std::size_t>(band.lower)] += w.lower;
     }
-    DVec3 sum(0.0);
+    std::vector<DVec2> around;  // Of each column: towards +x and -z.
+    for (int x = 0; x < image_->width; ++x) {
+        const double phi = 2 * kPi * ((x + 0.5) / image_->width - 0.5);
+        around.emplace_back(std::sin(phi), std::cos(phi));
+    }
+    DVec3 sum(0.0), direction(0.0);
     double squares = 0;
     for (int y = 0; y < height; ++y) {
         DVec3 row(0.0);
         double rowSquares = 0;
+        DVec2 rowAround(0.0);
         for (int x = 0; x < image_->width; ++x) {
             const Rgb c = texel(x, y);
             if (!isFinite(c)) continue;
             row += toDouble(c);
             const double l = luminance(c);
             rowSquares += l * l;
+            rowAround += l * l * around[static_cast<std::size_t>(x)];
         }
         sum += row * rowWeights[static_cast<std::size_t>(y)];
         squares += rowSquares * rowWeights[static_cast<std::size_t>(y)];
+        const double theta = kPi * (y + 0.5) / height;
+        direction += rowWeights[static_cast<std::size_t>(y)] *
+                     DVec3(std::sin(theta) * rowAround.x, std::cos(theta) * rowSquares, -std::sin(theta) * rowAround.y);
     }
     mean_ = toFloat(sum / (2.0 * image_->width));
     const double mean = luminance(mean_), meanSquare = squares / (2.0 * image_->width);
+    if (squares > 0) brightDirection_ = direction / squares;
     if (mean > 0 && meanSquare > 0) brightSolidAngle_ = 4 * kPi * std::min(1.0, mean * mean / meanSquare);
 }
 

@@ -63,6 +63,8 @@ class EnvironmentMap {
     /// The solid angle [sr] that most of the light comes from: (integral of L)^2 / integral of L^2, L the luminance; 4 pi where it
     /// is the same from everywhere, and where there is none.
     [[nodiscard]] double brightSolidAngle() const { return brightSolidAngle_; }
+    /// Mean of the directions weighted by L^2: where the bright part lies, the shorter the more it is spread out.
+    [[nodiscard]] const DVec3& brightDirection() const { return brightDirection_; }
 
   private:
     /// A place among four texels: columns x0, x1 and rows y0, y1, with the fractions of the way to
@@ -102,6 +104,7 @@ class EnvironmentMap {
     std::shared_ptr<const Image> image_;
     Rgb mean_{0.0f};
     double brightSolidAngle_ = 4 * kPi;
+    DVec3 brightDirection_{0.0};
     /// height x width: luminance above the density's threshold. A third of the picture's memory, and a walk along a row
     /// reads a twelfth of what the texels themselves would take.
     std::vector<float> weights_;

@@ -29,6 +29,13 @@ struct DeltaBranch {
     float scale = 1;        ///< the part of `weight` that only restates radiance in another medium (eta^2); not to choose by
 };
 
+/// The narrowest lobe of a leaf: GGX's alpha, and how much of light from 45 degrees goes into it, colour left aside.
+struct Gloss {
+    static constexpr double kWidest = 0.15;  ///< wider lobes are not narrow
+    double alpha = 1;
+    float strength = 0;
+};
+
 /// At most this many branches come from one leaf.
 inline constexpr int kMaxBranches = 2;
 

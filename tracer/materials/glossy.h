@@ -97,6 +97,9 @@ class GlossyBsdf {
         if (!p.valid) return {};
         return {wi, evalPair(p, coat), pdfPair(p, coat)};
     }
+    [[nodiscard]] Gloss gloss() const {
+        return {ggx_.alpha(), std::min(1.0f, 3 * fresnelDielectric(std::sqrt(0.5f), 1 / ior_))};
+    }
     /// The mirror of the polished coat that it is near to (classic).
     [[nodiscard]] int perfectBranches(const Vec3& wo, float around, DeltaBranch* out) const {
         const float reflectance = fresnelDielectric(std::abs(wo.z), around / ior_);

@@ -60,6 +60,7 @@ class MetalBsdf {
         if (!p.valid) return {};
         return {wi, evalPair(p), pdfPair(p)};
     }
+    [[nodiscard]] Gloss gloss() const { return {ggx_.alpha(), 1}; }
     /// The polished metal that it is near to (classic).
     [[nodiscard]] int perfectBranches(const Vec3& wo, float eta, DeltaBranch* out) const {
         return PolishedMetalBsdf{color_}.branches(wo, eta, out);

@@ -46,6 +46,7 @@ inline constexpr double kMinCosine = 1e-7;
 class Ggx {
   public:
     explicit Ggx(double alpha) : alpha_(alpha), alpha2_(alpha * alpha) {}
+    [[nodiscard]] double alpha() const { return alpha_; }
 
     /// Density of normals; integral of D * h.z over the hemisphere is 1. The form in h.xy has no
     /// cancellation.

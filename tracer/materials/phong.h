@@ -22,6 +22,8 @@ struct PhongBsdf {
     [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float) const {
         return (exponent + 1) / (2 * kPiF) * lobe(wo, wi);
     }
+    /// cos^n falls off as GGX of this alpha.
+    [[nodiscard]] Gloss gloss() const { return {std::sqrt(2.0 / (static_cast<double>(exponent) + 2)), 1}; }
     [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float eta) const {
         const double cosine = std::pow(1.0 - static_cast<double>(u.x), 1.0 / (exponent + 1.0));
         const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine)), phi = 2 * kPi * u.y;

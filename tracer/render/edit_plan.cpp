@@ -137,7 +137,7 @@ bool sameStructure(const RenderScene& before, const RenderScene& after) {
             isBlack(before.materials[a.material].straight) != isBlack(after.materials[b.material].straight))
             return false;
     }
-    return before.casters.casters == after.casters.casters;
+    return before.casters.casters == after.casters.casters && before.highlights.surfaces == after.highlights.surfaces;
 }
 
 bool sameViewpoint(const Camera& a, const Camera& b) {

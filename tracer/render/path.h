@@ -4,6 +4,7 @@
 #pragma once
 
 #include "tracer/render/connections.h"
+#include "tracer/render/highlights.h"
 #include "tracer/render/layers.h"
 #include "tracer/render/path_record.h"
 #include "tracer/render/shadow.h"
@@ -27,6 +28,10 @@ struct UsualEffort {
     /// Light is also looked for by way of perfect balls and faces, see connections.h. Efficiency without to that with it
     /// (glint-bench choices --only caustics): below 0.01 outdoor, 0.3 cornell, 0.85 still_life; 1.0 to 1.1 without caustics.
     static constexpr bool kConnects = true;
+    /// Light is also looked for by way of its highlights in glossy surfaces, see highlights.h. Efficiency without to that with it
+    /// (glint-bench choices --only highlights): 0.5 rough_metal_room, 0.74 outdoor,
+    /// 1.0 to 1.12 where highlights light little.
+    static constexpr bool kHighlights = true;
     /// A path that carries less than this is left to Russian roulette. Efficiency with 1 and 0.05 to that with it (glint-bench
     /// choices --only roulette), geometric means: 0.85 and 0.98.
     static constexpr float kDim = 0.25f;
@@ -66,6 +71,8 @@ class PathTracer {
         DVec3 fromNormal{0.0};    ///< ... the normal there on the side that the path came from ...
         double pdf = 0;           ///< ... and that density; 0 after a delta event or at the camera: no other way leads there
         ChainProgress chain;      ///< on the way from `from` over a perfect ball
+        HighlightStep step;       ///< to `from`, if a highlight could have drawn it ...
+        float drive = 0;          ///< ... and that the next one could be drawn so: highlightDrive() at `from`; 0: it could not
         MediaStack passedLights;  ///< emissive surfaces passed straight since `from`: next-event estimation knows their nearest face only
         float etaScale = 1;       ///< undoes the eta^2 of refractions for the roulette
         int depth = 0;            ///< surface interactions so far
@@ -81,6 +88,7 @@ class PathTracer {
 
     static constexpr bool kSamplesLights = has(F, Feature::DeltaLights) || has(F, Feature::AreaLights) || has(F, Feature::SampledSky);
     static constexpr bool kConnects = Effort::kConnects && has(F, Feature::Smooth) && has(F, Feature::Delta) && kSamplesLights;
+    static constexpr bool kHighlights = Effort::kHighlights && has(F, Feature::Rough) && kSamplesLights;
     static constexpr bool kLightsMayBePassed = has(F, Feature::Straight) && has(F, Feature::AreaLights);
     /// Up to this many lights, each is sampled at the first vertex with a smooth part.
     static constexpr std::size_t kAllLights = 4;
@@ -105,6 +113,7 @@ class PathTracer {
                     path.ray = {point.position, path.ray.direction, point.shape, point.outside};
                     path.media.cross(point.shape);
                     path.chain = {};
+                    path.drive = 0;
                     continue;
                 }
             }
@@ -125,7 +134,7 @@ class PathTracer {
             if (path.passedLights.contains(light)) return 1;
         ++state_.work[Work::MisWeights];
         const double chosen = path.allLights || scene_.lights.lights.size() == 1 ? 1.0 : scene_.lights.choice.probability(path.from, path.fromNormal, light);
-        return static_cast<float>(Heuristic::bsdfWeight(path.pdf, chosen * lightDensity()));
+        return static_cast<float>(Heuristic::bsdfWeight(path.pdf, chosen * lightDensity()) * shareOf(path.step, light));
     }
     /// The same for light that a connection over a perfect ball would reach at `y`, or in that direction.
     [[nodiscard]] float foundWeight(const Path& path, std::uint32_t light, const DVec3& y, const DVec3& normal) const {
@@ -135,6 +144,13 @@ class PathTracer {
                 return pdf > 0 ? static_cast<float>(Heuristic::bsdfWeight(chain.pdf, pdf)) : 1;
             }
         return foundWeight(path, light, [&] { return lightPdf(scene_.lights, scene_.shapes, light, path.from, path.ray.direction); });
+    }
+
+    /// Weight of light that a path brings by a step that a highlight could have drawn.
+    [[nodiscard]] double shareOf(const HighlightStep& step, std::uint32_t light) const {
+        if constexpr (kHighlights)
+            if (step.surface) return Heuristic::bsdfWeight(step.pdf, highlightDensity(scene_, step, light));
+        return 1;
     }
 
     void addSky(const Path& path) {
@@ -196,6 +212,7 @@ class PathTracer {
     /// One surface interaction: light from the sources, then the next direction. False: the path ends.
     bool scatter(Path& path, const SurfacePoint& point) {
         const CompiledMaterial& material = scene_.materials[point.instance(scene_).material];
+        const HighlightStep step = lastStep(path, point);
         Branches branches;
         if constexpr (has(F, Feature::Delta))
             if (material.hasDelta) branches = deltaBranches(material, point.wo, point.eta, state_.work);
@@ -209,10 +226,12 @@ class PathTracer {
         if (lit) {
             const auto [light, bsdf] = sampler_.blocks(sampleBlock(SampleUse::Light, path.depth, path.branch), own);
             u = bsdf;
-            if constexpr (has(F, Feature::Smooth) && kSamplesLights) addDirect(path, point, material, smoothChance, light);
+            if constexpr (has(F, Feature::Smooth) && kSamplesLights) addDirect(path, step, point, material, smoothChance, light);
         }
         if constexpr (kConnects)
             if (smoothChance > 0 && !scene_.casters.empty()) addConnections(path, point, material, smoothChance);
+        if constexpr (kHighlights)
+            if (smoothChance > 0 && !scene_.highlights.empty()) addHighlights(path, point, material, smoothChance);
         if constexpr (has(F, Feature::Delta)) {
             if (Effort::kSplits && path.maySplit && branches.splits(material)) return takeBoth(path, point, branches);
         }
@@ -225,16 +244,19 @@ class PathTracer {
                 if (!(s.pdf > 0)) return false;
                 record([&](PathRecord& r) { path.vertex = r.leave(path.vertex, PathEvent::Smooth, s.f * (std::abs(s.wi.z) / s.pdf), static_cast<double>(smoothChance)); });
                 const float drive = connectionDrive(path.throughput, material);
+                if constexpr (kHighlights) path.drive = highlightDrive(path.throughput, material);
                 path.throughput *= s.f * (std::abs(s.wi.z) / (s.pdf * smoothChance));
                 path.pdf = static_cast<double>(s.pdf) * smoothChance;
                 path.from = point.position;
                 path.fromNormal = point.facingNormal();
+                path.step = step;
                 if constexpr (kLightsMayBePassed) path.passedLights = {};
                 path.allLights = sampleAll(path);
                 path.scattered = true;
                 if constexpr (has(F, Feature::Layers))
                     if (path.bounces == 0) path.shares = smoothShares(material, point.wo, s.wi, point.eta);
                 leave(path, point, s.wi, false);
+                if (!path.media.empty()) path.drive = 0;
                 if constexpr (kConnects) path.chain = ChainProgress::start(scene_, point.shape, path.media, path.pdf, drive);
             } else {
                 return false;
@@ -275,6 +297,7 @@ class PathTracer {
             leave(path, point, branch.wi, true);
         } else {
             path.pdf = 0;
+            path.step = {};
             path.etaScale /= branch.scale;
             leave(path, point, branch.wi, false);
         }
@@ -310,12 +333,12 @@ class PathTracer {
     }
 
     /// `u`: the numbers of the first light, or of the one that is chosen.
-    void addDirect(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance, const SampleBlock& u) {
+    void addDirect(const Path& path, const HighlightStep& step, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance, const SampleBlock& u) {
         if (sampleAll(path)) {
             for (std::uint32_t i = 0; i < scene_.lights.lights.size(); ++i) {
                 const bool drawn = i > 0 && !scene_.lights.lights[i].isDelta();
                 const SampleBlock own = drawn ? sampler_.block(sampleBlock(SampleUse::Light, path.depth, path.branch, i)) : u;
-                addLight(path, point, material, smoothChance, i, 1.0, {own.x, own.y});
+                addLight(path, step, point, material, smoothChance, i, 1.0, {own.x, own.y});
             }
         } else {
             double chosen = 1;
@@ -326,11 +349,12 @@ class PathTracer {
                 light = choice.light;
                 chosen = choice.probability;
             }
-            addLight(path, point, material, smoothChance, light, chosen, {u.x, u.y});
+            addLight(path, step, point, material, smoothChance, light, chosen, {u.x, u.y});
         }
     }
 
-    void addLight(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance,
+    /// `step`: by which the path came to the point.
+    void addLight(const Path& path, const HighlightStep& step, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance,
                   std::uint32_t light, double chosen, const DVec2& u) {
         Ray from{point.position, point.frame.n, point.shape, !point.outside};
         ++state_.work[Work::LightSamples];
@@ -339,26 +363,32 @@ class PathTracer {
         if (!(s.pdf > 0) || isBlack(s.radiance)) return;
         const Vec3 wi = toFloat(point.frame.toLocal(s.wi));
         const BsdfSample f = evalSmooth<F>(material, point.wo, wi, point.eta, state_.work);
+        const double density = chosen * s.pdf;
+        double weight = shareOf(step, light);
+        if (!scene_.lights.lights[light].isDelta()) {
+            ++state_.work[Work::MisWeights];
+            weight *= Heuristic::lightWeight(density, static_cast<double>(f.pdf) * smoothChance);
+        }
+        addSeen(path, point, material, light, s, f, weight / density);
+    }
+
+    /// Light from a place or a direction on a light, if nothing is in between; `f`: what the surface makes of it, `factor`: its
+    /// weight over its density.
+    void addSeen(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, std::uint32_t light, const LightSample& s, const BsdfSample& f, double factor) {
         if (isBlack(f.f)) {
             if constexpr (!has(F, Feature::NoSkips)) return;
             ++state_.work[Work::BlackShadowRays];
         }
-        const Ray ray = point.ray(s.wi, wi.z < 0);
-        const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(state_, point, path.media, wi), s.distance, s.shape,
+        const Ray ray = point.ray(s.wi, f.wi.z < 0);
+        const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(state_, point, path.media, f.wi), s.distance, s.shape,
                                                  scene_.settings.maxDepth - path.depth - 1, false);
         if (isBlack(share)) return;
-        const double density = chosen * s.pdf;
-        double weight = 1;
-        if (!scene_.lights.lights[light].isDelta()) {
-            ++state_.work[Work::MisWeights];
-            weight = Heuristic::lightWeight(density, static_cast<double>(f.pdf) * smoothChance);
-        }
-        const Rgb value = path.throughput * f.f * s.radiance * share * static_cast<float>(weight * std::abs(wi.z) / density);
+        const Rgb value = path.throughput * f.f * s.radiance * share * static_cast<float>(factor * static_cast<double>(std::abs(f.wi.z)));
         sum_ += value;
         state_.addToGroup(scene_.lights.lights[light].group, value);
         record([&](PathRecord& r) { r.add(path.vertex, scene_, PathLight::Kind::Direct, light, share, value); });
         if constexpr (has(F, Feature::Layers))
-            state_.layers->add(path.bounces == 0 ? smoothShares(material, point.wo, wi, point.eta) : path.shares, path.bounces == 0, value);
+            state_.layers->add(path.bounces == 0 ? smoothShares(material, point.wo, f.wi, point.eta) : path.shares, path.bounces == 0, value);
     }
 
     [[gnu::noinline]] void addConnections(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance) {
@@ -372,6 +402,62 @@ class PathTracer {
                 state_.layers->add(path.bounces == 0 ? smoothShares(material, point.wo, found.wi, point.eta) : path.shares, false, found.value);
         };
         Connections<F, decltype(weight), decltype(take)>(state_, sampler_, vertex, weight, take).run();
+    }
+
+    /// The step by which the path came to the point, if a highlight could have drawn it.
+    [[nodiscard]] HighlightStep lastStep(Path& path, const SurfacePoint& point) const {
+        if constexpr (kHighlights) {
+            const float drive = std::exchange(path.drive, 0.0f);
+            const GlossySurface* surface = drive > 0 && path.ray.fromShape != point.shape ? scene_.highlights.find(point.shape) : nullptr;
+            if (surface) return {surface, path.from, point.position, point.face, path.pdf, drive};
+        }
+        return {};
+    }
+
+    [[gnu::noinline]] void addHighlights(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance) {
+        // The glossy surface scatters too.
+        if (path.depth + 1 >= scene_.settings.maxDepth) return;
+        const HighlightVertex vertex{point.position, point.shape, highlightDrive(path.throughput, material), path.depth, path.branch};
+        drawHighlights(scene_, sampler_, vertex, state_.work, [&](const GlossySurface& surface, std::uint32_t number, std::uint32_t light, const HighlightAim& aim, double density) {
+            const DVec3 apart = aim.point - point.position;
+            const double distance = glm::length(apart);
+            const Vec3 wi = toFloat(point.frame.toLocal(apart / distance));
+            if (!mediaBeyond<F>(state_, point, path.media, wi).empty()) return;
+            const BsdfSample f = evalSmooth<F>(material, point.wo, wi, point.eta, state_.work);
+            if (isBlack(f.f)) return;
+            const Ray ray = point.ray(apart / distance, wi.z < 0);
+            ++state_.rays.scatter;
+            const ShapeHit hit = scene_.lists.closest(ray, {}, kInfinity, state_.work);
+            constexpr double kSame = 1e-6;
+            if (hit.shape != surface.shape || hit.face != aim.face || !(std::abs(hit.t - distance) <= kSame * distance)) return;
+            const double weight = Heuristic::lightWeight(density, static_cast<double>(f.pdf) * static_cast<double>(smoothChance));
+            Path next = path;
+            next.throughput *= f.f * static_cast<float>(static_cast<double>(std::abs(wi.z)) * weight / density);
+            if constexpr (has(F, Feature::Layers))
+                if (next.bounces == 0) next.shares = smoothShares(material, point.wo, wi, point.eta);
+            next.media = {};
+            ++next.bounces;
+            ++next.depth;
+            addHighlight(next, surfacePoint(scene_, ray, hit, {}), light, number);
+        });
+    }
+
+    /// What a glossy surface that the path has come to sends back of one light: from a sample of the light and one of the surface.
+    void addHighlight(const Path& path, const SurfacePoint& point, std::uint32_t light, std::uint32_t number) {
+        const CompiledMaterial& material = scene_.materials[point.instance(scene_).material];
+        state_.materials |= material.bit;
+        const auto block = [&](std::uint32_t index) { return sampler_.block(sampleBlock(SampleUse::Caustic, path.depth - 1, path.branch, index + number)); };
+        const SampleBlock forLight = block(33 + kHighlightNumbers);
+        addLight(path, {}, point, material, 1, light, 1, {forLight.x, forLight.y});
+        if (scene_.lights.lights[light].isDelta()) return;
+        const SampleBlock u = block(33 + 2 * kHighlightNumbers);
+        const BsdfSample f = sampleSmooth<F>(material, point.wo, {u.x, u.y, u.z}, u.w, point.eta, state_.work);
+        if (!(f.pdf > 0)) return;
+        const Ray ray = point.ray(f.wi);
+        const LightSample s = lightAlong(scene_.lights, scene_.shapes, light, ray, path.media);
+        if (isBlack(s.radiance)) return;
+        const auto density = static_cast<double>(f.pdf);
+        addSeen(path, point, material, light, s, f, Heuristic::bsdfWeight(density, s.pdf) / density);
     }
 
     KernelState& state_;

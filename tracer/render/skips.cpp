@@ -67,6 +67,8 @@ constexpr Skip kSkips[] = {
     {"pinhole: no lens samples", Work::LensSamples, lacks<Feature::Lens>},
     {"no perfect balls under small lights: no connections", Work::Connections,
      [](const RenderScene& s) { return s.casters.empty() || s.settings.integrator != Integrator::Path; }},
+    {"no glossy surfaces under small lights: no highlights", Work::Highlights,
+     [](const RenderScene& s) { return s.highlights.empty() || s.settings.integrator != Integrator::Path; }},
 };
 
 }  // namespace

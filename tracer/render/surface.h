@@ -44,6 +44,7 @@ struct SurfacePoint {
     Frame frame;          ///< z along the outward normal
     Vec3 wo{0.0f};        ///< local, towards where the ray came from
     std::uint32_t shape = kNoShape;
+    int face = 0;         ///< of the shape
     bool outside = true;  ///< the ray came from the outward side
     float eta = 1;        ///< index on wo's side over the other side; over 1 where there is no medium behind
     bool hidden = false;  ///< the boundary of a dielectric inside one of higher priority: there is nothing to see
@@ -63,6 +64,7 @@ struct SurfacePoint {
     const ShapeInstance& instance = scene.shapes[hit.shape];
     SurfacePoint out;
     out.shape = hit.shape;
+    out.face = hit.face;
     const DVec3 raw = instance.localPoint(ray.origin) + hit.t * instance.localVector(ray.direction);
     DVec3 local, localNormal;
     std::visit(

@@ -51,6 +51,7 @@ struct CanonicalBox {
         n[face / 2] = face % 2 ? 1.0 : -1.0;
         return n;
     }
+    [[nodiscard]] DMat3 normalSlope(const DVec3&, int) const { return DMat3(0.0); }
     /// Each face has the whole square: u and v along the two axes that follow the face's own, in
     /// the order x y z x y.
     [[nodiscard]] DVec2 uv(const DVec3& p, int face) const {

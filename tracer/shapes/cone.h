@@ -46,6 +46,10 @@ struct CanonicalCone {
         const double r = std::hypot(p.x, p.z);
         return r > 0 ? DVec3(p.x / r, 0.5, p.z / r) : DVec3(0, 1, 0);
     }
+    /// Derivative of normal() by p, along the surface.
+    [[nodiscard]] DMat3 normalSlope(const DVec3& p, int face) const {
+        return face == 0 ? radialSlope(p) : DMat3(0.0);
+    }
     /// Side: u once round the y axis with 1/2 at +z, v from the apex down. Base: of the square
     /// around it.
     [[nodiscard]] DVec2 uv(const DVec3& p, int face) const {

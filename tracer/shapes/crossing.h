@@ -70,4 +70,15 @@ template <class Shape>
     return {};
 }
 
+/// Derivative by p of the unit vector away from the y axis.
+[[nodiscard]] inline DMat3 radialSlope(const DVec3& p) {
+    DMat3 out(0.0);
+    const double r = std::sqrt(p.x * p.x + p.z * p.z);
+    if (!(r > 0)) return out;
+    const double x = p.x / r, z = p.z / r;
+    out[0] = {z * z / r, 0, -x * z / r};
+    out[2] = {-x * z / r, 0, x * x / r};
+    return out;
+}
+
 }  // namespace glint

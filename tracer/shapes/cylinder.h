@@ -45,6 +45,12 @@ struct CanonicalCylinder {
     [[nodiscard]] DVec3 normal(const DVec3& p, int face) const {
         return face == 0 ? DVec3(p.x, 0, p.z) : DVec3(0, face == 1 ? 1 : -1, 0);
     }
+    /// Derivative of normal() by p, along the surface.
+    [[nodiscard]] DMat3 normalSlope(const DVec3&, int face) const {
+        DMat3 out(0.0);
+        if (face == 0) out[0][0] = out[2][2] = 1;
+        return out;
+    }
     /// Side: u once round the y axis with 1/2 at +z, v from the top down. Caps: of the square
     /// around them.
     [[nodiscard]] DVec2 uv(const DVec3& p, int face) const {

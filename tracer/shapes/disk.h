@@ -23,6 +23,7 @@ struct CanonicalDisk {
         return r > 1 ? DVec3(p.x / r, 0, p.z / r) : DVec3(p.x, 0, p.z);
     }
     [[nodiscard]] DVec3 normal(const DVec3&, int) const { return {0, 1, 0}; }
+    [[nodiscard]] DMat3 normalSlope(const DVec3&, int) const { return DMat3(0.0); }
     /// Of the square around it: u along x, v along -z.
     [[nodiscard]] DVec2 uv(const DVec3& p, int) const { return {(p.x + 1) / 2, (1 - p.z) / 2}; }
 

@@ -23,6 +23,7 @@ struct CanonicalPlane {
     [[nodiscard]] int nearestFace(const DVec3&) const { return 0; }
     [[nodiscard]] DVec3 project(const DVec3& p, int) const { return {p.x, 0, p.z}; }
     [[nodiscard]] DVec3 normal(const DVec3&, int) const { return {0, 1, 0}; }
+    [[nodiscard]] DMat3 normalSlope(const DVec3&, int) const { return DMat3(0.0); }
     /// Local x and -z, unbounded.
     [[nodiscard]] DVec2 uv(const DVec3& p, int) const { return {p.x, -p.z}; }
     /// A plane never emits: the file format forbids it.

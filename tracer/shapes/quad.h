@@ -23,6 +23,7 @@ struct CanonicalQuad {
         return {std::clamp(p.x, -1.0, 1.0), 0, std::clamp(p.z, -1.0, 1.0)};
     }
     [[nodiscard]] DVec3 normal(const DVec3&, int) const { return {0, 1, 0}; }
+    [[nodiscard]] DMat3 normalSlope(const DVec3&, int) const { return DMat3(0.0); }
     /// Over [0,1]^2: u along x, v along -z.
     [[nodiscard]] DVec2 uv(const DVec3& p, int) const { return {(p.x + 1) / 2, (1 - p.z) / 2}; }
     /// Uniform in the solid angle of the space in which the sides have their lengths in the world:

@@ -34,6 +34,8 @@ struct CanonicalSphere {
     [[nodiscard]] int nearestFace(const DVec3&) const { return 0; }
     [[nodiscard]] DVec3 project(const DVec3& p, int) const { return p / glm::length(p); }
     [[nodiscard]] DVec3 normal(const DVec3& p, int) const { return p; }
+    /// Derivative of normal() by p, along the surface.
+    [[nodiscard]] DMat3 normalSlope(const DVec3&, int) const { return DMat3(1.0); }
     /// u: once round the y axis, 1/2 at +z and the seam at -z; v: angle from +y over pi.
     [[nodiscard]] DVec2 uv(const DVec3& p, int) const {
         return {std::atan2(p.x, p.z) / (2 * kPi) + 0.5,

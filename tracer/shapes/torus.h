@@ -39,6 +39,10 @@ struct CanonicalTorus {
         return length > 0 ? c + out * (ratio / length) : p;
     }
     [[nodiscard]] DVec3 normal(const DVec3& p, int) const { return p - ring(p); }
+    /// Derivative of normal() by p, along the surface.
+    [[nodiscard]] DMat3 normalSlope(const DVec3& p, int) const {
+        return DMat3(1.0) - radialSlope(p);
+    }
     /// u: once round the y axis, 1/2 at +z; v: round the tube, 1/2 outermost and rising upwards.
     [[nodiscard]] DVec2 uv(const DVec3& p, int) const {
         return {std::atan2(p.x, p.z) / (2 * kPi) + 0.5,
