@@ -19,9 +19,10 @@ struct HighlightStep {
     float drive = 0;  ///< see highlightDrive()
 };
 
-/// What roulette on highlights goes by: the throughput at a surface times what its broad lobes send on.
+/// What roulette on highlights goes by: the throughput at a surface times what its broad lobes send on. Measured on rooms and fields
+/// of tori (`glint-bench choices --only highlights`).
 [[nodiscard]] inline float highlightDrive(const Rgb& throughput, const CompiledMaterial& material) {
-    return 2 * maxComponent(throughput) * material.broadAlbedo;
+    return 0.5f * maxComponent(throughput) * material.broadAlbedo;
 }
 
 /// The density per solid angle with which a highlight of `light` would have drawn the step.
