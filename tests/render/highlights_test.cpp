@@ -134,6 +134,21 @@ TEST(HighlightsTable, LeavesOutWhatIsNotNarrowAndWhatRefracts) {
     EXPECT_EQ(b.compile()->highlights.surfaces.size(), 1u);
 }
 
+TEST(HighlightsTable, LeavesOutASkyWithSunsOnOppositeSides) {
+    const test::TempFolder folder;
+    SceneBuilder b;
+    b.object(Sphere{1}, b.material(Metal{grey(0.9), 0.2}), {0, 1, 0});
+    for (const int suns : {1, 2}) {
+        Image sky{64, 32, std::vector<float>(64 * 32 * 3, 0.0f)};
+        for (int i = 0; i < suns; ++i)
+            for (int c = 0; c < 3; ++c) sky.rgb[static_cast<std::size_t>(((15 + i) * 64 + 10 + 32 * i) * 3 + c)] = 1e4f;
+        const auto file = folder / ("sky" + std::to_string(suns) + ".exr");
+        ASSERT_TRUE(saveLinear(file, sky, {}));
+        b.scene().environment.image = file.string();
+        EXPECT_EQ(b.compile()->highlights.empty(), suns == 2);
+    }
+}
+
 TEST(HighlightsNoise, IsAFractionOfThatOfLuck) {
     const test::TempFolder folder;
     SceneBuilder b = roomWith({"", Sphere{0.7}, Metal{grey(0.9), 0.2}, Lamp::HardSun}, folder);

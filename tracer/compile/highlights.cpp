@@ -25,7 +25,7 @@ Gloss glossOf(const CompiledMaterial& material) {
     return out;
 }
 
-/// Its power goes where its light is looked for; none: too wide.
+/// The ball or the cone around a light. False: its light does not come from about one place.
 bool describe(const CompiledLight& light, const LightTable& lights, const std::vector<ShapeInstance>& shapes, HighlightLight& out) {
     switch (light.kind) {
         case LightKind::Point:
@@ -44,6 +44,8 @@ bool describe(const CompiledLight& light, const LightTable& lights, const std::v
     if (!(map.brightSolidAngle() < kWidestSky)) return false;
     const DVec3 mean = map.brightDirection();
     const double length = glm::length(mean);
+    constexpr double kOnePlace = 0.5;  // Two suns on opposite sides have the mean 0.
+    if (!(length > kOnePlace)) return false;
     out.center = {lights.environment.worldFromMap(mean / length), true};
     out.radius = std::sqrt(std::max(0.0, 2 - 2 * length));  // Root mean square of the distances.
     return true;
