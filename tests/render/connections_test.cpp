@@ -59,16 +59,7 @@ SceneBuilder roomWith(Shape shape, const AllMaterials::Variant& material, Lamp l
         case Lamp::Quad: facingDown(b.object(Quad{{0.8, 0.5}}, {}, {0.8, 2.6, 1}, grey(20))); break;
         case Lamp::Disk: facingDown(b.object(Disk{0.35}, {}, {0.8, 2.6, 1}, grey(20))); break;
         case Lamp::Sun: b.scene().lights.add({"Sun", SunLight{.direction = {-0.5, -1, -0.6}, .irradiance = grey(3), .angleDegrees = 14}}); break;
-        case Lamp::Sky: {
-            Image sky{64, 32, {}};
-            for (int y = 0; y < sky.height; ++y)
-                for (int x = 0; x < sky.width; ++x)
-                    for (int c = 0; c < 3; ++c) sky.rgb.push_back(x > 34 && x < 39 && y > 4 && y < 9 ? 60.0f : 0.1f);
-            const auto file = folder / "sky.exr";
-            EXPECT_TRUE(saveLinear(file, sky, {}));
-            b.scene().environment.image = file.string();
-            break;
-        }
+        case Lamp::Sky: b.scene().environment.image = test::saveSky(folder, {35, 5}, {38, 8}, 60.0f); break;
     }
     b.camera({0, 3.2, 3.4}, {0, 0.6, -0.4}, 50);
     b.film(40, 40, 1);

@@ -59,16 +59,7 @@ SceneBuilder roomWith(const Case& tested, const test::TempFolder& folder) {
             b.scene().objects.set(lamp, facing);
             break;
         }
-        case Lamp::Sky: {
-            Image sky{64, 32, {}};
-            for (int y = 0; y < sky.height; ++y)
-                for (int x = 0; x < sky.width; ++x)
-                    for (int c = 0; c < 3; ++c) sky.rgb.push_back(x > 34 && x < 37 && y > 5 && y < 8 ? 120.0f : 0.1f);
-            const auto file = folder / "sky.exr";
-            EXPECT_TRUE(saveLinear(file, sky, {}));
-            b.scene().environment.image = file.string();
-            break;
-        }
+        case Lamp::Sky: b.scene().environment.image = test::saveSky(folder, {35, 6}, {36, 7}, 120.0f); break;
     }
     b.camera({0, 3.2, 3.4}, {0, 0.6, -0.4}, 50);
     b.film(32, 32, 1);

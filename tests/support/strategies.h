@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tests/support/scenes.h"
+#include "tests/support/temp_folder.h"
 #include "tests/support/ztest.h"
 #include "tracer/render/kernel.h"
 #include "tracer/render/path.h"
@@ -19,6 +20,17 @@ struct BsdfOnly {
     static double lightWeight(double, double bsdf) { return bsdf > 0 ? 0 : 1; }
     static double bsdfWeight(double, double) { return 1; }
 };
+
+/// Saves a sky of 64 x 32 texels that is dim but in the texels from `first` to `last`, and answers with the file.
+inline std::string saveSky(const TempFolder& folder, const glm::ivec2& first, const glm::ivec2& last, float radiance) {
+    Image sky{64, 32, {}};
+    for (int y = 0; y < sky.height; ++y)
+        for (int x = 0; x < sky.width; ++x)
+            for (int c = 0; c < 3; ++c) sky.rgb.push_back(x >= first.x && x <= last.x && y >= first.y && y <= last.y ? radiance : 0.1f);
+    const auto file = folder / "sky.exr";
+    EXPECT_TRUE(saveLinear(file, sky, {}));
+    return file.string();
+}
 
 /// Every pixel's mean (red) by another tracer; pixel by pixel the same random numbers for all.
 template <class Heuristic, class Effort = UsualEffort>
