@@ -166,16 +166,27 @@ void checkAttributes(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary | std::ios::ate);
     const std::streamoff end = in.tellg();
     in.seekg(8);  // The magic number, version and flags, which the core has checked.
-    std::string name, type;
-    while (std::getline(in, name, '\0') && !name.empty()) {
+    const auto text = [&] {
+        std::string out;
+        std::getline(in, out, '\0');
+        return out;
+    };
+    while (!text().empty()) {
+        const std::string type = text();
         std::array<unsigned char, 4> bytes{};
-        std::getline(in, type, '\0');
         in.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
         const std::uint32_t size =
             bytes[0] | bytes[1] << 8U | bytes[2] << 16U | std::uint32_t{bytes[3]} << 24U;
         if (!in || std::streamoff{size} > end - in.tellg())
             throw std::runtime_error("an attribute is longer than the file");
-        in.seekg(size, std::ios::cur);
+        // The core lets a number of no size pass, and the library reads one all the same.
+        if (size == 0 && type != "string" && !type.ends_with("vector"))
+            throw std::runtime_error("an attribute without a value");
+        // The library reads a list of channels to its empty name, whatever size is stated.
+        if (type != "chlist")
+            in.seekg(size, std::ios::cur);
+        else
+            while (!text().empty()) in.seekg(16, std::ios::cur);
     }
 }
 
