@@ -139,6 +139,18 @@ class StatesTest : public QObject {
             for (int axis = 0; axis < 2; ++axis) QVERIFY2(countNear(picture, colors.axes[axis]) > 60, tool);
         }
     }
+    void aClampedPictureSaysThatItIsBiased() {
+        waitForPicture();
+        QVERIFY(!window_->status().text().contains("biased"));
+        auto* clamp = window_->findChild<DragNumber*>("render.clamp");
+        QVERIFY(clamp);
+        for (QWidget* dock = clamp; dock; dock = dock->parentWidget())
+            if (qobject_cast<QDockWidget*>(dock)) dock->raise();
+        type(clamp, "10");
+        QTRY_VERIFY_WITH_TIMEOUT(window_->status().text().contains("biased"), kPatienceMs);
+        type(clamp, "0");
+        QTRY_VERIFY_WITH_TIMEOUT(!window_->status().text().contains("biased"), kPatienceMs);
+    }
     void pauseSaysSo() {
         waitForPicture();
         const QImage running = viewPicture("converged");

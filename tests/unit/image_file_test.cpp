@@ -50,7 +50,9 @@ TEST(ImageFile, AnExrHeaderThatClaimsMoreThanTheFileHoldsIsRefused) {
         {"unknown_attribute_longer_than_file", "longer than the file"},
         {"string_longer_than_file", "longer than the file"},
         {"channels_longer_than_stated", "longer than the file"},
-        {"attribute_without_size", "without a value"}};
+        {"tile_larger_than_file", "larger than the file"},
+        {"attribute_without_size", "as long as its type"},
+        {"attribute_of_wrong_size", "as long as its type"}};
     for (const auto& [name, why] : cases) {
         const auto loaded = loadExr(test::inSource("tests/fuzz/corpus/exr/" + name + ".exr"));
         ASSERT_FALSE(loaded) << name;

@@ -94,31 +94,24 @@ CasterFace faceOf(const ShapeInstance& shape, int face) {
     return {box ? shape.center + shape.worldFromLocal * local : shape.center, glm::normalize(local * shape.localFromWorld)};  // (M^-1)^T n
 }
 
-std::uint32_t CasterTable::pick(double u) const {
-    const auto it = std::upper_bound(cumulative.begin(), cumulative.end() - 1, u);
-    return lights[static_cast<std::size_t>(it - cumulative.begin())];
-}
-
 double CasterTable::pickProbability(std::uint32_t light) const {
     const auto it = std::lower_bound(lights.begin(), lights.end(), light);
     if (it == lights.end() || *it != light) return 0;
-    const auto i = static_cast<std::size_t>(it - lights.begin());
-    return cumulative[i] - (i ? cumulative[i - 1] : 0.0);
+    return byPower.probability(static_cast<std::size_t>(it - lights.begin()));
 }
 
 CasterTable makeCasters(const std::vector<ShapeInstance>& shapes, const std::vector<CompiledMaterial>& materials, const LightTable& lights) {
     CasterTable out;
     if (lights.environment.map) out.farSolidAngle = lights.environment.map->brightSolidAngle();
-    double sum = 0;
+    std::vector<double> powers;
     for (std::uint32_t i = 0; i < lights.lights.size(); ++i) {
         const CompiledLight& light = lights.lights[i];
         if (!(light.power > 0) || !isTarget(light, shapes, materials, out.farSolidAngle)) continue;
         out.lights.push_back(i);
-        out.cumulative.push_back(sum += light.power);
+        powers.push_back(light.power);
     }
     if (out.lights.empty()) return {};
-    for (double& c : out.cumulative) c /= sum;
-    out.cumulative.back() = 1;
+    out.byPower = DiscreteChoice(powers);
     for (std::uint32_t i = 0; i < shapes.size(); ++i) {
         const bool flat = isFlat(shapes[i]);
         const double radius = flat ? reachOf(shapes[i]) : ballRadius(shapes[i]);

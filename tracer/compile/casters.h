@@ -8,6 +8,7 @@
 #include "tracer/compile/light_table.h"
 #include "tracer/compile/mirror_points.h"
 #include "tracer/materials/builder.h"
+#include "tracer/math/discrete_choice.h"
 
 namespace glint {
 
@@ -46,7 +47,7 @@ struct CasterTable {
 
     std::vector<Caster> casters;
     std::vector<std::uint32_t> lights;   ///< indices of lights that are worth it, in LightTable::lights
-    std::vector<double> cumulative;      ///< of their power, normalised
+    DiscreteChoice byPower;              ///< among them
     std::vector<std::uint32_t> casterOf; ///< of each shape; ~0: none
     double farSolidAngle = 0;            ///< of the environment's bright part, sr
 
@@ -57,7 +58,7 @@ struct CasterTable {
         return std::visit([](const auto& canonical) { return std::decay_t<decltype(canonical)>::closed; }, shape.shape);
     }
     /// A light for u in [0, 1).
-    [[nodiscard]] std::uint32_t pick(double u) const;
+    [[nodiscard]] std::uint32_t pick(double u) const { return lights[byPower.pick(u)]; }
     /// Probability of pick() to choose it; 0 for lights that are not in the list.
     [[nodiscard]] double pickProbability(std::uint32_t light) const;
 };

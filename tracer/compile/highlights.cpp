@@ -128,33 +128,22 @@ double curvedPdf(const CurvedView& view, bool far, const ShapeInstance& shape, i
 
 }  // namespace
 
-const HighlightLight& HighlightTable::pick(double u) const {
-    const auto it = std::upper_bound(cumulative.begin(), cumulative.end() - 1, u);
-    return lights[static_cast<std::size_t>(it - cumulative.begin())];
-}
-
 const HighlightLight* HighlightTable::findLight(std::uint32_t light) const {
     const auto it = std::lower_bound(lights.begin(), lights.end(), light, [](const HighlightLight& a, std::uint32_t b) { return a.light < b; });
     return it != lights.end() && it->light == light ? &*it : nullptr;
 }
 
-double HighlightTable::pickProbability(const HighlightLight& light) const {
-    const auto i = static_cast<std::size_t>(&light - lights.data());
-    return cumulative[i] - (i ? cumulative[i - 1] : 0.0);
-}
-
 HighlightTable makeHighlights(const std::vector<ShapeInstance>& shapes, const std::vector<CompiledMaterial>& materials, const LightTable& lights) {
     HighlightTable out;
-    double sum = 0;
+    std::vector<double> powers;
     for (std::uint32_t i = 0; i < lights.lights.size(); ++i) {
         HighlightLight entry{i};
         if (!(lights.lights[i].power > 0) || !describe(lights.lights[i], lights, shapes, entry)) continue;
         out.lights.push_back(entry);
-        out.cumulative.push_back(sum += lights.lights[i].power);
+        powers.push_back(lights.lights[i].power);
     }
     if (out.lights.empty()) return {};
-    for (double& c : out.cumulative) c /= sum;
-    out.cumulative.back() = 1;
+    out.byPower = DiscreteChoice(powers);
     for (std::uint32_t i = 0; i < shapes.size(); ++i) {
         if (shapes[i].dielectric) continue;
         const Gloss gloss = glossOf(materials[shapes[i].material]);

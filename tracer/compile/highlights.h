@@ -9,6 +9,7 @@
 #include "tracer/compile/light_table.h"
 #include "tracer/compile/mirror_points.h"
 #include "tracer/materials/builder.h"
+#include "tracer/math/discrete_choice.h"
 
 namespace glint {
 
@@ -38,14 +39,14 @@ struct HighlightTable {
 
     std::vector<GlossySurface> surfaces;
     std::vector<HighlightLight> lights;     ///< in the order of LightTable::lights
-    std::vector<double> cumulative;         ///< of the lights' power, normalised
+    DiscreteChoice byPower;                 ///< among them
     std::vector<std::uint32_t> surfaceOf;   ///< of each shape; ~0: none
     std::vector<double> worth;              ///< of each surface's highlights of each light, light by light; see chance()
 
     [[nodiscard]] bool empty() const { return surfaces.empty(); }
     [[nodiscard]] const GlossySurface* find(std::uint32_t shape) const { return empty() || surfaceOf[shape] == ~0u ? nullptr : &surfaces[surfaceOf[shape]]; }
     /// The light at `u` in [0, 1).
-    [[nodiscard]] const HighlightLight& pick(double u) const;
+    [[nodiscard]] const HighlightLight& pick(double u) const { return lights[byPower.pick(u)]; }
     /// The entry of a light of LightTable; null if there is none.
     [[nodiscard]] const HighlightLight* findLight(std::uint32_t light) const;
     /// Probability of trying the highlight of `light` in `surface` from `from`, where the path carries `drive`: wider, fainter and
@@ -59,7 +60,7 @@ struct HighlightTable {
         return q * near2 < kLeast * far2 ? 0 : std::min(1.0, q * near2 / far2);
     }
     /// Probability of pick() to choose it.
-    [[nodiscard]] double pickProbability(const HighlightLight& light) const;
+    [[nodiscard]] double pickProbability(const HighlightLight& light) const { return byPower.probability(static_cast<std::size_t>(&light - lights.data())); }
 };
 
 /// Empty where there is no such surface or no light for one.

@@ -4,8 +4,9 @@
 // A mirror point makes the length of the way from the eye over the surface to the place stationary. On convex shapes, seen from
 // outside, it is the one minimum of a convex function; Newton's method on the surface finds it but for some eyes that nearly touch
 // a stretched shape. On a torus there are several, and which of them are found depends on where the search starts. What is found
-// is a function of eye and place alone, so that whoever must know whether a point would have been found can ask. Source of the equations: Zeltner, Georgiev, Jakob, "Specular Manifold Sampling",
-// ACM TOG 39(4), 2020, sec. 3, with half vectors replaced by lengths.
+// is a function of eye and place alone, so that whoever must know whether a point would have been found can ask.
+// Source of the equations: Zeltner, Georgiev, Jakob, "Specular Manifold Sampling", ACM TOG 39(4), 2020, sec. 3, with half vectors
+// replaced by lengths.
 #pragma once
 
 #include <array>

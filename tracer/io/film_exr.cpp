@@ -15,7 +15,9 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <stdexcept>
+#include <string>
 
 #include "tracer/io/atomic_file.h"
 
@@ -148,17 +150,50 @@ void limitImageSize() {
     static_cast<void>(done);
 }
 
+/// No kind of compression makes a file smaller by more.
+constexpr std::uintmax_t kMostCompression = 100'000;
+
 /// Has the library's core, which holds every size in the header against that of the file, look at
-/// it first: the rest of the library makes room for whatever an attribute claims to be long.
+/// it first: the rest of the library makes room for whatever an attribute, or a tile, claims to be.
 void checkHeader(const std::filesystem::path& path) {
     exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
     settings.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
     settings.max_image_width = settings.max_image_height = kLongestSide;
     exr_context_t file = nullptr;
-    const exr_result_t result = exr_start_read(&file, path.c_str(), &settings);
+    exr_result_t result = exr_start_read(&file, path.c_str(), &settings);
+    std::uint64_t chunk = 0;
+    if (result == EXR_ERR_SUCCESS) result = exr_get_chunk_unpacked_size(file, 0, &chunk);
     exr_finish(&file);
     if (result != EXR_ERR_SUCCESS) throw std::runtime_error(exr_get_default_error_message(result));
+    if (chunk > kMostCompression * std::filesystem::file_size(path))
+        throw std::runtime_error("a tile is larger than the file can hold");
 }
+
+/// In bytes, of the types whose size no value changes.
+const std::map<std::string, std::uint32_t> kAttributeSizes{{"box2f", 16},
+                                                           {"box2i", 16},
+                                                           {"chromaticities", 32},
+                                                           {"compression", 1},
+                                                           {"deepImageState", 1},
+                                                           {"double", 8},
+                                                           {"envmap", 1},
+                                                           {"float", 4},
+                                                           {"int", 4},
+                                                           {"keycode", 28},
+                                                           {"lineOrder", 1},
+                                                           {"m33d", 72},
+                                                           {"m33f", 36},
+                                                           {"m44d", 128},
+                                                           {"m44f", 64},
+                                                           {"rational", 8},
+                                                           {"tiledesc", 9},
+                                                           {"timecode", 8},
+                                                           {"v2d", 16},
+                                                           {"v2f", 8},
+                                                           {"v2i", 8},
+                                                           {"v3d", 24},
+                                                           {"v3f", 12},
+                                                           {"v3i", 12}};
 
 /// Walks the attributes as Imf::InputFile will and throws where one is longer than the rest of the
 /// file: the core lets some of them pass (see tests/fuzz/corpus/exr).
@@ -179,10 +214,11 @@ void checkAttributes(const std::filesystem::path& path) {
             bytes[0] | bytes[1] << 8U | bytes[2] << 16U | std::uint32_t{bytes[3]} << 24U;
         if (!in || std::streamoff{size} > end - in.tellg())
             throw std::runtime_error("an attribute is longer than the file");
-        // The core lets a number of no size pass, and the library reads one all the same.
-        if (size == 0 && type != "string" && !type.ends_with("vector"))
-            throw std::runtime_error("an attribute without a value");
-        // The library reads a list of channels to its empty name, whatever size is stated.
+        // Whatever size is stated, the library reads a number as long as its type is, and a list
+        // of channels to its empty name.
+        const auto fixed = kAttributeSizes.find(type);
+        if (fixed != kAttributeSizes.end() ? size != fixed->second : type == "preview" && size == 0)
+            throw std::runtime_error("an attribute is not as long as its type");
         if (type != "chlist")
             in.seekg(size, std::ios::cur);
         else

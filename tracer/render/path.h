@@ -6,38 +6,12 @@
 #include "tracer/render/connections.h"
 #include "tracer/render/highlights.h"
 #include "tracer/render/layers.h"
+#include "tracer/render/path_choices.h"
 #include "tracer/render/path_record.h"
+#include "tracer/render/path_state.h"
 #include "tracer/render/shadow.h"
 
 namespace glint {
-
-/// How the two ways to one light share its contribution (Veach 1997, sec. 9.2). Tests put others in its place.
-/// Densities are per solid angle; that of the way taken is above 0. Efficiency with the power heuristic to that with this one
-/// (glint-bench choices --only weights): 0.79 to 1.01 in rooms and under skies, where the surfaces' own directions see past what
-/// hides a light; 4 and more under one lamp alone that nothing hides.
-struct BalanceHeuristic {
-    static double lightWeight(double light, double bsdf) { return light / (light + bsdf); }
-    static double bsdfWeight(double bsdf, double light) { return bsdf / (light + bsdf); }
-};
-
-/// How much a path may cost: changes noise and time, never the mean. Tests put others in its place.
-struct UsualEffort {
-    /// Both ways are followed at the first smooth dielectric, not one by chance. Efficiency without to that with it
-    /// (glint-bench choices --only splitting): 0.57 still_life, 0.82 cornell, 1.0 where there is no glass.
-    static constexpr bool kSplits = true;
-    /// Light is also looked for by way of perfect balls and faces, see connections.h. Efficiency without to that with it
-    /// (glint-bench choices --only caustics): below 0.01 outdoor, 0.3 cornell, 0.85 still_life; 1.0 to 1.1 without caustics.
-    static constexpr bool kConnects = true;
-    /// Light is also looked for by way of its highlights in glossy surfaces, see highlights.h. Efficiency without to that with it
-    /// (glint-bench choices --only highlights): 0.56 rough_metal_room, 0.69 outdoor, 0.9 torus_field, up to 1.35 where highlights
-    /// light little.
-    static constexpr bool kHighlights = true;
-    /// A path that carries less than this is left to Russian roulette. Efficiency with 1 and 0.05 to that with it (glint-bench
-    /// choices --only roulette), geometric means: 0.85 and 0.98.
-    static constexpr float kDim = 0.25f;
-};
-
-using UsualHeuristic = BalanceHeuristic;
 
 template <Features F, class Heuristic = UsualHeuristic, class Effort = UsualEffort>
 class PathTracer {
@@ -62,29 +36,7 @@ class PathTracer {
     }
 
   private:
-    /// A path under way.
-    struct Path {
-        Ray ray;
-        MediaStack media;
-        Rgb throughput{1.0f};
-        DVec3 from{0.0};          ///< last vertex at which the direction was drawn from a density ...
-        DVec3 fromNormal{0.0};    ///< ... the normal there on the side that the path came from ...
-        double pdf = 0;           ///< ... and that density; 0 after a delta event or at the camera: no other way leads there
-        ChainProgress chain;      ///< on the way from `from` over a perfect ball
-        HighlightStep step;       ///< to `from`, if a highlight could have drawn it ...
-        float drive = 0;          ///< ... and that the next one could be drawn so: highlightDrive() at `from`; 0: it could not
-        MediaStack passedLights;  ///< emissive surfaces passed straight since `from`: next-event estimation knows their nearest face only
-        float etaScale = 1;       ///< undoes the eta^2 of refractions for the roulette
-        int depth = 0;            ///< surface interactions so far
-        std::uint32_t branch = 0; ///< 1 behind a split, where the other way was taken
-        bool allLights = false;   ///< at `from` every light was sampled, not a chosen one
-        bool scattered = false;   ///< a smooth part has turned it
-        bool straightFromCamera = true;
-        bool maySplit = true;
-        LobeShares shares{};      ///< of the lobes by which light left the first surface (layers only)
-        int bounces = 0;          ///< turns so far: interactions that did not let the path straight on (layers only)
-        int vertex = -1;          ///< the record's (layers only)
-    };
+    using Path = PathState;
 
     static constexpr bool kSamplesLights = has(F, Feature::DeltaLights) || has(F, Feature::AreaLights) || has(F, Feature::SampledSky);
     static constexpr bool kConnects = Effort::kConnects && has(F, Feature::Smooth) && has(F, Feature::Delta) && kSamplesLights;

@@ -1,0 +1,35 @@
+// The choices of the `path` integrator that change noise and time, never the mean, as types that tests and the bench can put others
+// in the place of; with what each gains (`glint-bench choices`).
+#pragma once
+
+namespace glint {
+
+/// How the two ways to one light share its contribution (Veach 1997, sec. 9.2). Tests put others in its place.
+/// Densities are per solid angle; that of the way taken is above 0. Efficiency with the power heuristic to that with this one
+/// (glint-bench choices --only weights): 0.79 to 1.01 in rooms and under skies, where the surfaces' own directions see past what
+/// hides a light; 4 and more under one lamp alone that nothing hides.
+struct BalanceHeuristic {
+    static double lightWeight(double light, double bsdf) { return light / (light + bsdf); }
+    static double bsdfWeight(double bsdf, double light) { return bsdf / (light + bsdf); }
+};
+
+/// How much a path may cost: changes noise and time, never the mean. Tests put others in its place.
+struct UsualEffort {
+    /// Both ways are followed at the first smooth dielectric, not one by chance. Efficiency without to that with it
+    /// (glint-bench choices --only splitting): 0.57 still_life, 0.82 cornell, 1.0 where there is no glass.
+    static constexpr bool kSplits = true;
+    /// Light is also looked for by way of perfect balls and faces, see connections.h. Efficiency without to that with it
+    /// (glint-bench choices --only caustics): below 0.01 outdoor, 0.3 cornell, 0.85 still_life; 1.0 to 1.1 without caustics.
+    static constexpr bool kConnects = true;
+    /// Light is also looked for by way of its highlights in glossy surfaces, see highlights.h. Efficiency without to that with it
+    /// (glint-bench choices --only highlights): 0.56 rough_metal_room, 0.69 outdoor, 0.9 torus_field, up to 1.35 where highlights
+    /// light little.
+    static constexpr bool kHighlights = true;
+    /// A path that carries less than this is left to Russian roulette. Efficiency with 1 and 0.05 to that with it (glint-bench
+    /// choices --only roulette), geometric means: 0.85 and 0.98.
+    static constexpr float kDim = 0.25f;
+};
+
+using UsualHeuristic = BalanceHeuristic;
+
+}  // namespace glint
