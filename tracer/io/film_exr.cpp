@@ -161,12 +161,17 @@ void checkHeader(const std::filesystem::path& path) {
     settings.max_image_width = settings.max_image_height = kLongestSide;
     exr_context_t file = nullptr;
     exr_result_t result = exr_start_read(&file, path.c_str(), &settings);
-    std::uint64_t chunk = 0;
-    if (result == EXR_ERR_SUCCESS) result = exr_get_chunk_unpacked_size(file, 0, &chunk);
+    std::uint64_t chunkSize = 0;
+    std::int32_t chunks = 0;
+    if (result == EXR_ERR_SUCCESS) result = exr_get_chunk_unpacked_size(file, 0, &chunkSize);
+    if (result == EXR_ERR_SUCCESS) result = exr_get_chunk_count(file, 0, &chunks);
     exr_finish(&file);
     if (result != EXR_ERR_SUCCESS) throw std::runtime_error(exr_get_default_error_message(result));
-    if (chunk > kMostCompression * std::filesystem::file_size(path))
-        throw std::runtime_error("a tile is larger than the file can hold");
+    const std::uintmax_t size = std::filesystem::file_size(path);
+    if (chunkSize > kMostCompression * size / static_cast<std::uint64_t>(std::max(1, chunks)))
+        throw std::runtime_error("the picture is larger than the file can hold");
+    if (sizeof(std::uint64_t) * static_cast<std::uint64_t>(chunks) > size)
+        throw std::runtime_error("the file ends within its table of rows");
 }
 
 /// In bytes, of the types whose size no value changes.
