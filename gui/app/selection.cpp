@@ -7,7 +7,7 @@
 namespace glint {
 
 Selection::Selection(const Document& document, QObject* parent) : QObject(parent), document_(document) {
-    connect(&document, &Document::changed, this, &Selection::prune);
+    connect(&document, &Document::changed, this, &Selection::follow);
     connect(&document, &Document::replaced, this, &Selection::clear);
 }
 
@@ -35,9 +35,21 @@ void Selection::toggle(Item item) {
     set(std::move(items));
 }
 
-void Selection::prune() {
+void Selection::follow(const Scene& before) {
+    const Scene& scene = document_.scene();
+    std::vector<Item> come;
+    const auto collect = [&]<class T, class IdType>(const Table<T, IdType>& from, const Table<T, IdType>& to) {
+        Table<T, IdType>::forEachDifference(from, to, [&](IdType id, const T* was, const T* is) {
+            if (is && !was) come.push_back(Item::of(id));
+        });
+    };
+    collect(before.groups, scene.groups);
+    collect(before.objects, scene.objects);
+    collect(before.lights, scene.lights);
+    collect(before.cameras, scene.cameras);
+    if (!come.empty()) return set(topmost(scene, come));
     std::vector<Item> items = items_;
-    std::erase_if(items, [&](Item item) { return !exists(document_.scene(), item); });
+    std::erase_if(items, [&](Item item) { return !exists(scene, item); });
     set(std::move(items));
 }
 

@@ -1,4 +1,5 @@
 // Selection: which items of the document are chosen, shared by all views of a window. The last one chosen is the active one.
+// What an edit, undo or redo brings into the document is chosen, what it takes out no longer.
 #pragma once
 
 #include <QObject>
@@ -9,6 +10,7 @@
 namespace glint {
 
 class Document;
+struct Scene;
 
 class Selection : public QObject {
     Q_OBJECT
@@ -31,8 +33,7 @@ class Selection : public QObject {
     void changed();
 
   private:
-    /// Drops items that are no longer in the document.
-    void prune();
+    void follow(const Scene& before);
 
     const Document& document_;
     std::vector<Item> items_;

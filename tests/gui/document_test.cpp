@@ -98,12 +98,16 @@ class DocumentTest : public QObject {
         document.undoStack().undo();
         QVERIFY(document.scene().camera == before);
     }
-    void selectionDropsWhatIsGone() {
+    void selectionFollowsWhatGoesAndComes() {
         Document document;
         Selection selection(document);
         document.replace(smallScene(), {});
         selection.set({kBall});
         document.edit(removed(document.committed(), {kBall}), "Delete");
+        QVERIFY(selection.isEmpty());
+        document.undoStack().undo();
+        QCOMPARE(selection.items(), std::vector<Item>{kBall});
+        document.undoStack().redo();
         QVERIFY(selection.isEmpty());
     }
     void savedDocumentIsUnmodified() {
