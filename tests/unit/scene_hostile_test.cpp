@@ -93,6 +93,7 @@ TEST(HostileScene, MissingFileAndFolder) {
     EXPECT_EQ(loadScene(folder / "none.json").error().message,
               "cannot be read: No such file or directory");
     EXPECT_EQ(loadScene(folder.path()).error().message, "is a folder");
+    EXPECT_EQ(loadScene("/dev/zero").error().message, "is a device");
     EXPECT_EQ(loadScene(folder.path()).error().file, folder.path().string());
 }
 

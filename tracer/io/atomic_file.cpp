@@ -134,6 +134,8 @@ Result<std::string> readWhole(const fs::path& path, std::size_t limit) {
     if (fs::is_directory(path, code))
         return Error{
             .message = "is a folder", .file = path.string(), .remedy = "name a file in it"};
+    if (fs::is_character_file(path, code) || fs::is_block_file(path, code))
+        return Error{.message = "is a device", .file = path.string(), .remedy = "name a file"};
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"),
                                                                  std::fclose);
     if (!stream) return fileError(path, "cannot be read", errno);
