@@ -2,6 +2,8 @@
 // and copies. The same one is seen by every ray, and nothing shadows what it touches.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/scalar_lists.h"
 #include "tests/support/world.h"
 
@@ -266,6 +268,77 @@ TEST(Coincidence, ALampFlushWithTheCeilingIsNotShadowedByIt) {
         EXPECT_GT(c.mean, 0.1);
         EXPECT_NEAR(a.mean, c.mean, 1e-3 * c.mean) << kindOf(lamp);
     }
+}
+
+/// What lets light straight or scattered through, over nothing and over black.
+std::vector<Material> sheetsFor(SceneBuilder& b) {
+    const MaterialId black = b.material(Diffuse{Color{0, 0, 0}});
+    Glass pane;
+    pane.thin = true;
+    return {{"Paper", Translucent{Color{0.2, 0.2, 0.2}, Color{0.7, 0.7, 0.7}}},
+            {"Pane", pane},
+            {"Veil", Mix{{{}, true}, {black, false}, 0.5}}};
+}
+
+/// Paper, panes and veils flush with the wall of a closed room let none of the light outside in,
+/// whether the wall is a box or a rectangle and whichever comes first in the scene.
+TEST(Coincidence, NoLightComesThroughASheetOnAWall) {
+    for (const DVec3& turn : {DVec3(0, 0, 0), DVec3(17, 31, 0), DVec3(3, 0.5, 71)})
+        for (std::size_t sheet = 0; sheet < 3; ++sheet)
+            for (const bool box : {true, false})
+                for (const bool sheetFirst : {true, false})
+                    for (const bool walled : {true, false}) {
+                        SceneBuilder b;
+                        const MaterialId white = b.material(Diffuse{Color{0.8, 0.8, 0.8}});
+                        const MaterialId thin = b.scene().materials.add(sheetsFor(b)[sheet]);
+                        const DVec3 middle(0.1, 1.3, -0.7);
+                        Group room{.name = "Room"};
+                        room.transform.translate = middle;
+                        room.transform.rotateDegrees = turn;
+                        const GroupId group = b.scene().groups.add(room);
+                        const auto add = [&](const Shape& shape, MaterialId material,
+                                             const DVec3& at, double tilt) {
+                            const ObjectId id = b.object(shape, material, at);
+                            Object tilted = b.scene().objects.at(id);
+                            tilted.transform.rotateDegrees = {tilt, 0, 0};
+                            tilted.parent = group;
+                            b.scene().objects.set(id, tilted);
+                        };
+                        const DVec3 back(0, 0, -2.85);
+                        if (sheetFirst) add(Quad{{3, 2}}, thin, back, 90);
+                        if (walled && box) add(Box{{4.1, 3.3, 5.7}}, white, {}, 0);
+                        if (walled && !box) add(Quad{{40, 40}}, white, back, 90);
+                        if (!sheetFirst) add(Quad{{3, 2}}, thin, back, 90);
+                        const DMat3 frame = rotationFromDegrees(turn);
+                        b.scene().lights.add(
+                            {"Sun", SunLight{.direction = frame * DVec3(0, 0, 1)}, true, {}});
+                        if (box || !walled) b.scene().environment.color = Color{1000, 1000, 1000};
+                        b.camera(middle, middle + frame * back, 60);
+                        b.film(24, 18, 4);
+                        const Image picture = b.render().beauty;
+                        const float most =
+                            *std::max_element(picture.rgb.begin(), picture.rgb.end());
+                        if (walled)
+                            EXPECT_EQ(most, 0) << sheet << box << sheetFirst;
+                        else
+                            EXPECT_GT(most, 0) << sheet;
+                    }
+}
+
+/// Sheets in one place let through what each of them does, from either side.
+TEST(Coincidence, VeilsInOnePlaceMultiply) {
+    for (const int count : {1, 2, 3, 5})
+        for (const double side : {1.0, -1.0}) {
+            SceneBuilder b;
+            const MaterialId veil = b.scene().materials.add(sheetsFor(b)[2]);
+            for (int i = 0; i < count; ++i)
+                b.object(Quad{{20.0 + i, 30.0}}, veil, {0.1 * i, 0.3, 0});
+            b.scene().environment.color = Color{1, 1, 1};
+            b.camera({1, 0.3 + side * 3, 2}, {0, 0.3, 0}, 40);
+            b.film(32, 24, 64);
+            EXPECT_NEAR(estimateMean(b.render().beauty).mean, std::pow(0.5, count), 5e-3)
+                << count << side;
+        }
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 // touching.
 #pragma once
 
+#include <optional>
+
 #include "tracer/math/ray.h"
 #include "tracer/shapes/all.h"
 
@@ -20,6 +22,19 @@ inline constexpr double kTieRange = 0x1p-26;
 /// At least the largest coordinate.
 [[nodiscard]] inline double coordinateSum(const DVec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+/// Whether rounding alone may be what puts a point at `p` by `height` out of a surface placed at
+/// `center`.
+[[nodiscard]] inline bool isOn(double height, const DVec3& p, const DVec3& center) {
+    return std::abs(height) <= kPlaceRounding * (coordinateSum(p) + coordinateSum(center));
+}
+
+/// The order in which a path meets surfaces that coincide, from either side: flat ones lie on top
+/// of others, and later ones on earlier ones; the higher comes first. Never 0.
+[[nodiscard]] constexpr std::uint64_t tieRank(std::uint32_t index, bool closed) {
+    const std::uint64_t rank = 1 + index % 256 + (closed ? 0 : 256);
+    return rank << 32U | (~index & 0xffffffffU);
 }
 
 /// A ray near a surface, in render space: how far above it is, and the cosine to the outward
@@ -52,6 +67,26 @@ template <class Shape>
     return false;
 }
 
+/// For a ray that has gone through a surface: its hit on this one if that coincides with it where
+/// the ray starts, at once or never again; else nothing.
+template <class Shape>
+[[nodiscard, gnu::noinline]] std::optional<Crossing> hitBehindPassed(const Placed<Shape>& placed,
+                                                                     const Ray& ray, const DVec3& o,
+                                                                     const DVec3& d) {
+    const Shape& shape = placed.shape;
+    int face = 0;
+    if constexpr (requires { shape.nearestFace(o); }) face = shape.nearestFace(o);
+    const Passing at = passingOf(shape, placed.localFromWorld, o, d, face);
+    if (!isOn(at.height, ray.origin, placed.center) || at.cosine == 0) return {};
+    // From a little before it, so that rounding cannot have put it behind the origin.
+    const double place = coordinateSum(ray.origin) + coordinateSum(placed.center);
+    const double back = 4 * kPlaceRounding * place / std::abs(at.cosine);
+    const Crossing found = shape.first(o - back * d, d, Start::Elsewhere);
+    if (!(found.t <= 2 * back)) return {};
+    if (tieRank(placed.index, Shape::closed) < ray.passed) return Crossing{0.0, found.face};
+    return shape.first(o, d, !Shape::closed || at.cosine > 0 ? Start::Leaving : Start::Entering);
+}
+
 /// The hit of a ray that starts on a surface that touches this one, see firstHitOf().
 template <class Shape>
 [[nodiscard, gnu::noinline]] Crossing hitFromTouching(const Placed<Shape>& placed, const Ray& ray,
@@ -68,7 +103,7 @@ template <class Shape>
         }
     if (!found.found()) return found;
     const Passing at = passingOf(shape, placed.localFromWorld, o, d, found.face);
-    if (!(std::abs(at.height) <= kPlaceRounding * place)) return found;
+    if (!isOn(at.height, ray.origin, placed.center)) return found;
     if (!Shape::closed || at.cosine > 0) return shape.first(o, d, Start::Leaving);
     return ray.returns ? shape.first(o, d, Start::Entering) : found;
 }
@@ -76,7 +111,8 @@ template <class Shape>
 /// The first hit of a ray on a shape; `o` and `d` are its origin and direction in the shape's
 /// space. Where the ray starts on another surface and this one coincides with that, it starts on
 /// this one too: it does not meet it on the way out, and meets it at once on the way in, unless the
-/// path was inside already (a rug on the floor of a room that is a box) and goes back there.
+/// path was inside already (a rug on the floor of a room that is a box) and goes back there. What
+/// goes through a surface meets the others there one after the other (a film on a wall).
 template <class Shape>
 [[nodiscard]] Crossing firstHitOf(const Placed<Shape>& placed, const Ray& ray, const DVec3& o,
                                   const DVec3& d, Start start) {
@@ -84,6 +120,8 @@ template <class Shape>
         0x1p-16;  // Who grazes more flatly than kPlaceRounding / kNear is no case.
     const Crossing found = placed.shape.first(o, d, start);
     if (ray.fromShape == kNoShape || start != Start::Elsewhere) return found;
+    if (ray.passed != 0)
+        if (const std::optional<Crossing> hit = hitBehindPassed(placed, ray, o, d)) return *hit;
     const bool mayTouch =
         found.t <= kNear * (coordinateSum(ray.origin) + coordinateSum(placed.center)) ||
         isWithin(placed.shape, o);
@@ -91,12 +129,12 @@ template <class Shape>
 }
 
 /// What hits within kTieRange of each other are ordered by: t, less what rounding may have added to
-/// it, so many times as the surface has rank. Flat shapes lie on top of others, and later ones on
-/// earlier ones. An order of numbers, so it does not depend on which hit was found first.
+/// it, so many times as the surface has rank. An order of numbers, so it does not depend on which
+/// hit was found first.
 template <class Shape>
 [[nodiscard]] double tieOrder(const Placed<Shape>& placed, const Ray& ray, const Crossing& hit) {
     constexpr double kStep = 0x1p-47;
-    const double rank = 1 + placed.index % 256 + (Shape::closed ? 0 : 256);
+    const auto rank = static_cast<double>(tieRank(placed.index, Shape::closed) >> 32U);
     const DVec3 o = placed.localFromWorld * (ray.at(hit.t) - placed.center),
                 d = placed.localFromWorld * ray.direction;
     const double cosine =

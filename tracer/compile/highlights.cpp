@@ -80,7 +80,7 @@ struct FlatView {
                 height = glm::dot(eye - (shape.center + shape.worldFromLocal * local), normal);
             },
             shape.shape);
-        if (height == 0 || (height < 0 && closed)) return;
+        if (isOn(height, eye, shape.center) || (height < 0 && closed)) return;
         mirrored = eye - 2 * height * normal;
         if (light.center.far) {
             lobe = ChordLobe(light.center.place, width2(surface.alpha, light.radius));

@@ -16,6 +16,8 @@ struct Ray {
     std::uint32_t fromShape = kNoShape;    ///< index of the shape instance the origin lies on
     bool fromInside = false;               ///< the ray starts towards the inside of `fromShape`
     bool returns = false;                  ///< it starts towards the side of `fromShape` that the path came from
+    std::uint64_t passed = 0;              ///< tieRank() (compile/coincidence.h) of `fromShape` if the path goes through it; 0: it does
+                                           ///< not, or is tracked to be inside or outside
 
     [[nodiscard]] DVec3 at(double t) const { return origin + t * direction; }
 };

@@ -147,7 +147,8 @@ class Connections {
     void reflectIn(const Caster& caster, const CasterFace& face, Way& way, double chance, const DVec2& u) {
         const DVec3& x = vertex_.point.position;
         const double height = glm::dot(x - face.position, face.normal);
-        if (height == 0 || (height < 0 && CasterTable::isClosed(scene_.shapes[caster.shape]))) return;
+        const ShapeInstance& shape = scene_.shapes[caster.shape];
+        if (isOn(height, x, shape.center) || (height < 0 && CasterTable::isClosed(shape))) return;
         const LightSample s = sampleLight(scene_.lights, scene_.shapes, way.light, {x - 2 * height * face.normal, face.normal, kNoShape, false}, {}, u);
         const double across = glm::dot(s.wi, face.normal);
         if (!(s.pdf > 0) || isBlack(s.radiance) || !(across * height > 0)) return;

@@ -47,6 +47,7 @@ struct SurfacePoint {
     int face = 0;         ///< of the shape
     bool outside = true;  ///< the ray came from the outward side
     float eta = 1;        ///< index on wo's side over the other side; over 1 where there is no medium behind
+    std::uint64_t rank = 0;  ///< tieRank(); 0 for dielectrics
     bool hidden = false;  ///< the boundary of a dielectric inside one of higher priority: there is nothing to see
 
     [[nodiscard]] const ShapeInstance& instance(const RenderScene& scene) const { return scene.shapes[shape]; }
@@ -55,7 +56,7 @@ struct SurfacePoint {
     /// A ray that starts here in the local direction `wi`.
     [[nodiscard]] Ray ray(const Vec3& wi) const { return ray(glm::normalize(frame.toWorld(wi)), wi.z < 0); }
     /// A ray that starts here in a direction of render space, inwards or outwards.
-    [[nodiscard]] Ray ray(const DVec3& direction, bool inwards) const { return {position, direction, shape, inwards, inwards != outside}; }
+    [[nodiscard]] Ray ray(const DVec3& direction, bool inwards) const { return {position, direction, shape, inwards, inwards != outside, inwards == outside ? rank : 0}; }
 };
 
 /// The point hit by `ray`, which is in `media`. The hit is put back onto the surface in local space, so its error is a few
@@ -68,9 +69,10 @@ struct SurfacePoint {
     const DVec3 raw = instance.localPoint(ray.origin) + hit.t * instance.localVector(ray.direction);
     DVec3 local, localNormal;
     std::visit(
-        [&](const auto& shape) {
+        [&]<class Shape>(const Shape& shape) {
             local = shape.project(raw, hit.face);
             localNormal = shape.normal(local, hit.face);
+            if (!instance.dielectric) out.rank = tieRank(hit.shape, Shape::closed);
         },
         instance.shape);
     out.position = instance.center + instance.worldFromLocal * local;
