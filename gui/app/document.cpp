@@ -20,6 +20,9 @@ Document::Document(QObject* parent) : QObject(parent) {
     connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::titleChanged);
 }
 
+// The stack tells of its emptying, but who listens may be gone already.
+Document::~Document() { undoStack_.blockSignals(true); }
+
 std::filesystem::path Document::assetFolder() const {
     return file_.empty() ? std::filesystem::current_path() : std::filesystem::absolute(file_).parent_path();
 }

@@ -20,6 +20,7 @@ class Document : public QObject {
 
   public:
     explicit Document(QObject* parent = nullptr);
+    ~Document() override;
 
     /// The scene as it is shown: with the preview of a running drag, if there is one.
     [[nodiscard]] const Scene& scene() const { return scene_; }

@@ -7,19 +7,16 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
-#include <openexr.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <map>
 #include <stdexcept>
 #include <string>
 
 #include "tracer/io/atomic_file.h"
+#include "tracer/io/exr_check.h"
 
 namespace glint {
 
@@ -140,104 +137,6 @@ ExrFile readPixels(Imf::InputFile& input) {
     return out;
 }
 
-/// In pixels; larger pictures are refused by their header.
-constexpr int kLongestSide = 1 << 20;
-
-/// Lets the library refuse absurd headers before it makes tables for them. A setting of the whole
-/// program: made once.
-void limitImageSize() {
-    static const bool done = (Imf::Header::setMaxImageSize(kLongestSide, kLongestSide), true);
-    static_cast<void>(done);
-}
-
-/// No file is smaller by more: deflate makes at most 1032 bytes of one, PXR24 before that 4 of 3,
-/// and DWA 64 numbers of one.
-std::uintmax_t mostCompression(exr_compression_t method) {
-    const bool dwa = method == EXR_COMPRESSION_DWAA || method == EXR_COMPRESSION_DWAB;
-    return dwa ? 100'000 : 1'400;
-}
-
-/// Has the library's core, which holds every size in the header against that of the file, look at
-/// it first: the rest of the library makes room for whatever an attribute, or a tile, claims to be.
-void checkHeader(const std::filesystem::path& path) {
-    exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    settings.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
-    settings.max_image_width = settings.max_image_height = kLongestSide;
-    exr_context_t file = nullptr;
-    exr_result_t result = exr_start_read(&file, path.c_str(), &settings);
-    std::uint64_t chunkSize = 0;
-    std::int32_t chunks = 0;
-    exr_compression_t method = EXR_COMPRESSION_NONE;
-    if (result == EXR_ERR_SUCCESS) result = exr_get_compression(file, 0, &method);
-    if (result == EXR_ERR_SUCCESS) result = exr_get_chunk_unpacked_size(file, 0, &chunkSize);
-    if (result == EXR_ERR_SUCCESS) result = exr_get_chunk_count(file, 0, &chunks);
-    exr_finish(&file);
-    if (result != EXR_ERR_SUCCESS) throw std::runtime_error(exr_get_default_error_message(result));
-    const std::uintmax_t size = std::filesystem::file_size(path);
-    if (chunkSize >
-        mostCompression(method) * size / static_cast<std::uint64_t>(std::max(1, chunks)))
-        throw std::runtime_error("the picture is larger than the file can hold");
-    if (sizeof(std::uint64_t) * static_cast<std::uint64_t>(chunks) > size)
-        throw std::runtime_error("the file ends within its table of rows");
-}
-
-/// In bytes, of the types whose size no value changes.
-const std::map<std::string, std::uint32_t> kAttributeSizes{{"box2f", 16},
-                                                           {"box2i", 16},
-                                                           {"chromaticities", 32},
-                                                           {"compression", 1},
-                                                           {"deepImageState", 1},
-                                                           {"double", 8},
-                                                           {"envmap", 1},
-                                                           {"float", 4},
-                                                           {"int", 4},
-                                                           {"keycode", 28},
-                                                           {"lineOrder", 1},
-                                                           {"m33d", 72},
-                                                           {"m33f", 36},
-                                                           {"m44d", 128},
-                                                           {"m44f", 64},
-                                                           {"rational", 8},
-                                                           {"tiledesc", 9},
-                                                           {"timecode", 8},
-                                                           {"v2d", 16},
-                                                           {"v2f", 8},
-                                                           {"v2i", 8},
-                                                           {"v3d", 24},
-                                                           {"v3f", 12},
-                                                           {"v3i", 12}};
-
-/// Walks the attributes as Imf::InputFile will and throws where one is longer than the rest of the
-/// file: the core lets some of them pass (see tests/fuzz/corpus/exr).
-void checkAttributes(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary | std::ios::ate);
-    const std::streamoff end = in.tellg();
-    in.seekg(8);  // The magic number, version and flags, which the core has checked.
-    const auto text = [&] {
-        std::string out;
-        std::getline(in, out, '\0');
-        return out;
-    };
-    while (!text().empty()) {
-        const std::string type = text();
-        std::array<unsigned char, 4> bytes{};
-        in.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
-        const std::uint32_t size =
-            bytes[0] | bytes[1] << 8U | bytes[2] << 16U | std::uint32_t{bytes[3]} << 24U;
-        if (!in || std::streamoff{size} > end - in.tellg())
-            throw std::runtime_error("an attribute is longer than the file");
-        // Whatever size is stated, the library reads a number as long as its type is, and a list
-        // of channels to its empty name.
-        const auto fixed = kAttributeSizes.find(type);
-        if (fixed != kAttributeSizes.end() ? size != fixed->second : type == "preview" && size == 0)
-            throw std::runtime_error("an attribute is not as long as its type");
-        if (type != "chlist")
-            in.seekg(size, std::ios::cur);
-        else
-            while (!text().empty()) in.seekg(16, std::ios::cur);
-    }
-}
-
 Error exrError(const std::filesystem::path& path, const std::string& what, const std::string& why,
                std::string remedy) {
     return {.message = what + ": " + why, .file = path.string(), .remedy = std::move(remedy)};
@@ -267,9 +166,7 @@ Result<ExrFile> loadExr(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path, ignored))
         return exrError(path, "cannot be read", "no such file", "check the path");
     try {
-        limitImageSize();
-        checkHeader(path);
-        checkAttributes(path);
+        checkExr(path);
         Imf::InputFile input(path.c_str(), 0);
         return readPixels(input);
     } catch (const std::exception& problem) {
