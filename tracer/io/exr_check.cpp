@@ -9,6 +9,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -108,7 +109,10 @@ std::uintmax_t checkAttributes(const std::filesystem::path& path) {
         std::getline(in, out, '\0');
         return out;
     };
-    while (!text().empty()) {
+    std::set<std::string> names;
+    for (std::string name = text(); !name.empty(); name = text()) {
+        // The core may keep the first and the library the last.
+        if (!names.insert(name).second) throw std::runtime_error("an attribute comes twice");
         const std::string type = text();
         std::array<unsigned char, 4> bytes{};
         in.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
