@@ -52,6 +52,7 @@ TEST(ImageFile, AnExrHeaderThatClaimsMoreThanTheFileHoldsIsRefused) {
         {"channels_longer_than_stated", "longer than the file"},
         {"tile_larger_than_file", "larger than the file can hold"},
         {"attribute_twice", "comes twice"},
+        {"compression_missing", "larger than the file can hold"},
         {"attribute_without_size", "as long as its type"},
         {"attribute_of_wrong_size", "as long as its type"}};
     for (const auto& [name, why] : cases) {

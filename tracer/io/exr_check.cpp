@@ -29,8 +29,8 @@ void limitImageSize() {
 
 /// No file is smaller by more: deflate makes at most 1032 bytes of one, PXR24 before that 4 of 3,
 /// and DWA 64 numbers of one.
-std::uintmax_t mostCompression(exr_compression_t method) {
-    const bool dwa = method == EXR_COMPRESSION_DWAA || method == EXR_COMPRESSION_DWAB;
+std::uintmax_t mostCompression(Imf::Compression method) {
+    const bool dwa = method == Imf::DWAA_COMPRESSION || method == Imf::DWAB_COMPRESSION;
     return dwa ? 100'000 : 1'400;
 }
 
@@ -38,7 +38,7 @@ std::uintmax_t mostCompression(exr_compression_t method) {
 struct Claim {
     std::uintmax_t bytes = 0;  ///< of its pixels
     std::uintmax_t chunks = 0;
-    exr_compression_t method = EXR_COMPRESSION_NONE;
+    Imf::Compression method = Imf::NO_COMPRESSION;
 };
 
 /// Has the library's core, which holds every size in the header against that of the file, look at
@@ -50,9 +50,10 @@ Claim readClaim(const std::filesystem::path& path) {
     exr_context_t file = nullptr;
     exr_result_t result = exr_start_read(&file, path.c_str(), &settings);
     Claim out;
+    exr_compression_t method = EXR_COMPRESSION_NONE;
     std::uint64_t chunkSize = 0;
     std::int32_t chunks = 0;
-    if (result == EXR_ERR_SUCCESS) result = exr_get_compression(file, 0, &out.method);
+    if (result == EXR_ERR_SUCCESS) result = exr_get_compression(file, 0, &method);
     if (result == EXR_ERR_SUCCESS) result = exr_get_chunk_unpacked_size(file, 0, &chunkSize);
     if (result == EXR_ERR_SUCCESS) result = exr_get_chunk_count(file, 0, &chunks);
     exr_finish(&file);
@@ -61,15 +62,8 @@ Claim readClaim(const std::filesystem::path& path) {
     if (chunkSize > std::numeric_limits<std::uintmax_t>::max() / out.chunks)
         throw std::runtime_error("the picture is larger than the file can hold");
     out.bytes = chunkSize * out.chunks;
+    out.method = static_cast<Imf::Compression>(method);
     return out;
-}
-
-/// `held`: bytes of the file behind its attributes.
-void checkClaim(const Claim& claim, std::uintmax_t held) {
-    if (sizeof(std::uint64_t) * claim.chunks > held)
-        throw std::runtime_error("the file ends within its table of rows");
-    if (claim.bytes / mostCompression(claim.method) > held)
-        throw std::runtime_error("the picture is larger than the file can hold");
 }
 
 /// In bytes, of the types whose size no value changes.
@@ -135,10 +129,19 @@ std::uintmax_t checkAttributes(const std::filesystem::path& path) {
 
 }  // namespace
 
-void checkExr(const std::filesystem::path& path) {
+void checkPixels(std::uintmax_t held, std::uintmax_t bytes, Imf::Compression method) {
+    if (bytes / mostCompression(method) > held)
+        throw std::runtime_error("the picture is larger than the file can hold");
+}
+
+std::uintmax_t checkExr(const std::filesystem::path& path) {
     limitImageSize();
     const Claim claim = readClaim(path);
-    checkClaim(claim, checkAttributes(path));
+    const std::uintmax_t held = checkAttributes(path);
+    if (sizeof(std::uint64_t) * claim.chunks > held)
+        throw std::runtime_error("the file ends within its table of rows");
+    checkPixels(held, claim.bytes, claim.method);
+    return held;
 }
 
 }  // namespace glint

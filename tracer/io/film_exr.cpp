@@ -111,14 +111,20 @@ void reserveChannels(ExrFile& out, const Imf::ChannelList& channels, std::size_t
     }
 }
 
-ExrFile readPixels(Imf::InputFile& input) {
+/// `held`: bytes of the file behind its attributes.
+ExrFile readPixels(Imf::InputFile& input, std::uintmax_t held) {
     const auto window = input.header().dataWindow();
     const auto width = std::int64_t{window.max.x} - window.min.x + 1,
                height = std::int64_t{window.max.y} - window.min.y + 1;
     if (width < 1 || height < 1 || width * height > kMostImagePixels)
         throw std::runtime_error("more than 1 Gpixel");
+    const Imf::ChannelList& channels = input.header().channels();
+    std::uintmax_t count = 0;
+    for (auto it = channels.begin(); it != channels.end(); ++it) ++count;
+    checkPixels(held, static_cast<std::uintmax_t>(width * height) * count * sizeof(Imath::half),
+                input.header().compression());
     ExrFile out{static_cast<int>(width), static_cast<int>(height), {}, metadataOf(input.header())};
-    reserveChannels(out, input.header().channels(), static_cast<std::size_t>(width * height));
+    reserveChannels(out, channels, static_cast<std::size_t>(width * height));
 
     Imf::FrameBuffer buffer;
     for (const ExrChannel& channel : out.channels)
@@ -166,9 +172,9 @@ Result<ExrFile> loadExr(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path, ignored))
         return exrError(path, "cannot be read", "no such file", "check the path");
     try {
-        checkExr(path);
+        const std::uintmax_t held = checkExr(path);
         Imf::InputFile input(path.c_str(), 0);
-        return readPixels(input);
+        return readPixels(input, held);
     } catch (const std::exception& problem) {
         return exrError(path, "is not a readable EXR picture", problem.what(), "export it again");
     }
