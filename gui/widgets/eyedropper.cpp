@@ -20,8 +20,11 @@ void Eyedropper::end() {
 }
 
 bool Eyedropper::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        end();
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) {
+        if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape) return false;
+        // Accepted, it comes back as a key: Esc is a shortcut of the window's as well.
+        event->accept();
+        if (event->type() == QEvent::KeyPress) end();
         return true;
     }
     if (event->type() != QEvent::MouseButtonPress || !watched->isWidgetType()) return false;
