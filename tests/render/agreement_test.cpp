@@ -63,11 +63,6 @@ using test::estimateOf;
 using test::LightOnly;
 using test::pixelMeans;
 
-/// Counts light twice where both ways lead to it: the wrong twin that the comparison must notice.
-struct BothWhole {
-    static double lightWeight(double, double) { return 1; }
-    static double bsdfWeight(double, double) { return 1; }
-};
 struct PowerHeuristic {
     static double lightWeight(double light, double bsdf) { return light * light / (light * light + bsdf * bsdf); }
     static double bsdfWeight(double bsdf, double light) { return bsdf * bsdf / (light * light + bsdf * bsdf); }
@@ -88,7 +83,7 @@ void expectOneMean(const std::shared_ptr<const RenderScene>& scene, const test::
     expectSame(meanWith<LightOnly>(scene), "light sampling alone");
     expectSame(meanWith<BsdfOnly>(scene), "BSDF sampling alone");
     expectSame(meanWith<PowerHeuristic>(scene), "power heuristic");
-    EXPECT_GT(meanWith<BothWhole>(scene).mean, 1.2 * expected.mean);  // A compensated table leaves the dim part to the BSDF.
+    EXPECT_GT(meanWith<test::BothWhole>(scene).mean, 1.2 * expected.mean);  // A compensated table leaves the dim part to the BSDF.
 }
 
 /// A floor, seen at one point.

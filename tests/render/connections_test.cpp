@@ -18,11 +18,6 @@ Color grey(double v) { return {v, v, v}; }
 struct NoConnections : UsualEffort {
     static constexpr bool kConnects = false;
 };
-/// The wrong twin: what connections bring counts whole, and what chance brings too.
-struct BothWhole {
-    static double lightWeight(double, double) { return 1; }
-    static double bsdfWeight(double, double) { return 1; }
-};
 
 enum class Lamp { Ball, Quad, Disk, Sun, Sky };
 /// Pool: a box that the floor lies in.
@@ -116,7 +111,7 @@ TEST(ConnectionsTwin, CountingBothWaysWholeIsNoticed) {
     const test::TempFolder folder;
     const auto scene = roomWith(Shape::Ball, Mirror{grey(0.9)}, Lamp::Ball, folder).compile();
     const std::vector<double> usual = test::pixelMeans<BalanceHeuristic>(scene, 128);
-    EXPECT_GT(test::deviationOf(usual, test::pixelMeans<BothWhole>(scene, 128)).sigmas, 4);
+    EXPECT_GT(test::deviationOf(usual, test::pixelMeans<test::BothWhole>(scene, 128)).sigmas, 4);
 }
 
 TEST(ConnectionsTable, LeavesOutWhatItCannotConnect) {

@@ -18,11 +18,6 @@ Color grey(double v) { return {v, v, v}; }
 struct NoHighlights : UsualEffort {
     static constexpr bool kHighlights = false;
 };
-/// The wrong twin: what highlights bring counts whole, and what chance brings too.
-struct BothWhole {
-    static double lightWeight(double, double) { return 1; }
-    static double bsdfWeight(double, double) { return 1; }
-};
 
 enum class Lamp { Point, Spot, HardSun, Sun, Sky, Ball, Quad };
 
@@ -112,7 +107,7 @@ TEST(HighlightsTwin, CountingBothWaysWholeIsNoticed) {
     const test::TempFolder folder;
     const auto scene = roomWith({"", Sphere{0.7}, kBrushed, Lamp::Sun}, folder).compile();
     const std::vector<double> usual = test::pixelMeans<BalanceHeuristic>(scene, 256);
-    EXPECT_GT(test::deviationOf(calm(usual, usual), calm(test::pixelMeans<BothWhole>(scene, 256), usual)).sigmas, 4);
+    EXPECT_GT(test::deviationOf(calm(usual, usual), calm(test::pixelMeans<test::BothWhole>(scene, 256), usual)).sigmas, 4);
 }
 
 TEST(HighlightsTable, LeavesOutWhatIsNotNarrowAndWhatRefracts) {

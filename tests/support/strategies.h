@@ -20,6 +20,11 @@ struct BsdfOnly {
     static double lightWeight(double, double bsdf) { return bsdf > 0 ? 0 : 1; }
     static double bsdfWeight(double, double) { return 1; }
 };
+/// The wrong twin: what each of the two ways brings counts whole.
+struct BothWhole {
+    static double lightWeight(double, double) { return 1; }
+    static double bsdfWeight(double, double) { return 1; }
+};
 
 /// Saves a sky of 64 x 32 texels that is dim but in the texels from `first` to `last`, and answers with the file.
 inline std::string saveSky(const TempFolder& folder, const glm::ivec2& first, const glm::ivec2& last, float radiance) {
