@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gui/app/document.h"
+#include "gui/app/item_differences.h"
 
 namespace glint {
 
@@ -38,15 +39,9 @@ void Selection::toggle(Item item) {
 void Selection::follow(const Scene& before) {
     const Scene& scene = document_.scene();
     std::vector<Item> come;
-    const auto collect = [&]<class T, class IdType>(const Table<T, IdType>& from, const Table<T, IdType>& to) {
-        Table<T, IdType>::forEachDifference(from, to, [&](IdType id, const T* was, const T* is) {
-            if (is && !was) come.push_back(Item::of(id));
-        });
-    };
-    collect(before.groups, scene.groups);
-    collect(before.objects, scene.objects);
-    collect(before.lights, scene.lights);
-    collect(before.cameras, scene.cameras);
+    forEachItemDifference(before, scene, [&](const ItemDifference& change) {
+        if (!change.was) come.push_back(change.item);
+    });
     if (!come.empty()) return set(topmost(scene, come));
     std::vector<Item> items = items_;
     std::erase_if(items, [&](Item item) { return !exists(scene, item); });

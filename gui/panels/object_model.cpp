@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "gui/app/document.h"
+#include "gui/app/item_differences.h"
 #include "gui/app/material_edits.h"
 #include "gui/app/text.h"
 #include "gui/widgets/icons.h"
@@ -19,16 +20,6 @@ namespace {
 const QString kMimeType = QStringLiteral("application/x-glint-items");
 /// Above so many changed entries the tree is made anew: quicker than row by row.
 constexpr std::size_t kRebuildAbove = 200;
-
-/// Visits each entry that differs, as (item, was there, is there, moved to another group).
-template <class Table, class Visit>
-void visitDifferences(const Table& before, const Table& after, Visit&& visit) {
-    Table::forEachDifference(before, after, [&](auto id, const auto* old, const auto* now) {
-        bool moved = false;
-        if constexpr (requires { old->parent; }) moved = old && now && old->parent != now->parent;
-        visit(Item::of(id), old != nullptr, now != nullptr, moved);
-    });
-}
 
 }  // namespace
 
@@ -57,26 +48,18 @@ void ObjectModel::rebuild() {
 }
 
 void ObjectModel::onChanged(const Scene& before) {
-    struct Change {
-        Item item;
-        bool was, is, moved;
-    };
-    std::vector<Change> changes;
-    const auto note = [&](Item item, bool was, bool is, bool moved) { changes.push_back({item, was, is, moved}); };
+    std::vector<ItemDifference> changes;
     const Scene& after = document_.scene();
-    visitDifferences(before.groups, after.groups, note);
-    visitDifferences(before.objects, after.objects, note);
-    visitDifferences(before.lights, after.lights, note);
-    visitDifferences(before.cameras, after.cameras, note);
+    forEachItemDifference(before, after, [&](const ItemDifference& change) { changes.push_back(change); });
     if (before.activeCamera != after.activeCamera)
         for (const CameraId id : {before.activeCamera, after.activeCamera}) refresh(Item::of(id));
-    const auto restructures = [](const Change& c) { return !c.was || !c.is || c.moved; };
+    const auto restructures = [](const ItemDifference& c) { return !c.was || !c.is || c.moved; };
     const auto restructured = static_cast<std::size_t>(std::count_if(changes.begin(), changes.end(), restructures));
     // A group that comes, goes or moves takes its rows along: rare, and simplest from scratch.
     const bool groups = std::any_of(changes.begin(), changes.end(),
-                                    [&](const Change& c) { return c.item.kind == ItemKind::Group && restructures(c); });
+                                    [&](const ItemDifference& c) { return c.item.kind == ItemKind::Group && restructures(c); });
     if (groups || restructured > kRebuildAbove) return rebuild();
-    for (const Change& change : changes) {
+    for (const ItemDifference& change : changes) {
         if (!restructures(change)) refresh(change.item);
         if (change.was && restructures(change)) remove(change.item);
         if (change.is && restructures(change)) insert(change.item);
