@@ -283,12 +283,14 @@ Scene removed(Scene scene, const std::vector<Item>& items) {
 
 std::vector<ObjectId> objectsWithin(const Scene& scene, const std::vector<Item>& items) {
     const std::set<GroupId> groups = groupsAmong(items);
-    std::set<ObjectId> out;
+    std::vector<ObjectId> out;
     for (const Item item : items)
-        if (item.kind == ItemKind::Object && exists(scene, item)) out.insert(objectOf(item));
+        if (item.kind == ItemKind::Object && exists(scene, item)) out.push_back(objectOf(item));
     if (!groups.empty())
-        scene.objects.forEach([&](ObjectId id, const Object& o) { if (isWithin(scene, o.parent, groups)) out.insert(id); });
-    return {out.begin(), out.end()};
+        scene.objects.forEach([&](ObjectId id, const Object& o) { if (isWithin(scene, o.parent, groups)) out.push_back(id); });
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
 }
 
 }  // namespace glint

@@ -20,13 +20,13 @@ void FormPanel::onChanged() {
 
 void FormPanel::rebuild() {
     builtFor_ = structure_(document_.scene());
-    auto* content = new QWidget(this);
+    QWidget* content = newForm();
     auto* layout = new QVBoxLayout(content);
     FormBuilder form(document_, std::make_shared<const std::vector<std::uint32_t>>(1, 0u), content);
     build_(form);
     refreshes_ = form.takeRefreshes();
     layout->addStretch(1);
-    setForm(content);
+    showForm();
     for (const auto& refresh : refreshes_) refresh(document_.scene());
 }
 

@@ -61,9 +61,12 @@ ObjectList::ObjectList(Document& document, Selection& selection, QWidget* parent
     layout->addWidget(tree_);
 
     connect(&selection, &Selection::changed, this, &ObjectList::showSelection);
+    connect(&document, &Document::replaced, tree_, &QTreeView::expandAll);
     connect(model_, &ObjectModel::refused, this, &ObjectList::refused);
+    connect(model_, &QAbstractItemModel::modelAboutToBeReset, this, &ObjectList::noteCollapsed);
     connect(model_, &QAbstractItemModel::modelReset, this, [this] {
         tree_->expandAll();
+        for (const Item group : collapsed_) tree_->setExpanded(filter_->mapFromSource(model_->indexOf(group)), false);
         showSelection();
     });
 }
@@ -107,6 +110,19 @@ void ObjectList::renameActive() {
     tree_->edit(index);
 }
 
+void ObjectList::noteCollapsed() {
+    collapsed_.clear();
+    const auto visit = [&](const auto& self, const QModelIndex& parent) -> void {
+        for (int row = 0; row < filter_->rowCount(parent); ++row) {
+            const QModelIndex index = filter_->index(row, 0, parent);
+            if (!filter_->hasChildren(index)) continue;
+            if (!tree_->isExpanded(index)) collapsed_.push_back(model_->itemAt(filter_->mapToSource(index)));
+            self(self, index);
+        }
+    };
+    visit(visit, {});
+}
+
 void ObjectList::takeSelection() {
     if (syncing_) return;
     std::vector<Item> items;
@@ -129,16 +145,20 @@ void ObjectList::showSelection() {
         const QModelIndex index = filter_->mapFromSource(model_->indexOf(item));
         if (index.isValid()) rows.push_back(index);
     }
-    std::sort(rows.begin(), rows.end());
-    // One range for each run of neighbours: thousands of single rows would make every paint slow.
+    // One range for each run of siblings: thousands of single rows would make every paint slow.
+    const auto place = [](const QModelIndex& index) { return std::pair(index.parent(), index.row()); };
+    std::sort(rows.begin(), rows.end(), [&](const QModelIndex& a, const QModelIndex& b) { return place(a) < place(b); });
     QItemSelection ranges;
     for (std::size_t i = 0; i < rows.size();) {
         std::size_t end = i + 1;
-        while (end < rows.size() && rows[end].parent() == rows[i].parent() && rows[end].row() == rows[end - 1].row() + 1) ++end;
+        while (end < rows.size() && place(rows[end]) == std::pair(rows[i].parent(), rows[end - 1].row() + 1)) ++end;
         ranges.append(QItemSelectionRange(rows[i], rows[end - 1].siblingAtColumn(ObjectModel::ColumnCount - 1)));
         i = end;
     }
+    // Without updates the tree does not look for the rectangle of every row: it is painted as a whole.
+    tree_->setUpdatesEnabled(false);
     tree_->selectionModel()->select(ranges, QItemSelectionModel::ClearAndSelect);
+    tree_->setUpdatesEnabled(true);
     if (selection_.isEmpty()) return;
     const QModelIndex active = filter_->mapFromSource(model_->indexOf(selection_.items().back()));
     if (!active.isValid()) return;

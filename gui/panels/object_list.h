@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
+
+#include "gui/app/item.h"
 
 class QLineEdit;
 class QMenu;
@@ -36,6 +39,8 @@ class ObjectList : public QWidget {
     void buildTree();
     void showSelection();
     void takeSelection();
+    /// Remembers which groups are closed while the tree is made anew.
+    void noteCollapsed();
 
     Document& document_;
     Selection& selection_;
@@ -45,6 +50,7 @@ class ObjectList : public QWidget {
     QToolButton* add_;
     QTreeView* tree_;
     bool syncing_ = false;
+    std::vector<Item> collapsed_;
 };
 
 }  // namespace glint

@@ -61,31 +61,39 @@ void ObjectModel::onChanged(const Scene& before) {
     if (groups || restructured > kRebuildAbove) return rebuild();
     for (const ItemDifference& change : changes) {
         if (!restructures(change)) refresh(change.item);
-        if (change.was && restructures(change)) remove(change.item);
-        if (change.is && restructures(change)) insert(change.item);
+        else if (change.moved) move(change.item);
+        else if (change.is) insert(change.item);
+        else remove(change.item);
     }
 }
 
 void ObjectModel::insert(Item item) {
     auto node = std::make_unique<Node>(Node{item, parentNodeOf(item), {}});
-    auto& siblings = node->parent->children;
-    const auto at = std::lower_bound(siblings.begin(), siblings.end(), item, [](const Node* n, Item i) { return n->item < i; });
-    const int row = static_cast<int>(at - siblings.begin());
+    const int row = rowFor(*node->parent, item);
     beginInsertRows(indexOfNode(node->parent), row, row);
-    siblings.insert(at, node.get());
+    node->parent->children.insert(node->parent->children.begin() + row, node.get());
     nodes_[item] = std::move(node);
     endInsertRows();
 }
 
 void ObjectModel::remove(Item item) {
-    Node* node = nodes_.at(item).get();
-    auto& siblings = node->parent->children;
-    const auto at = std::lower_bound(siblings.begin(), siblings.end(), item, [](const Node* n, Item i) { return n->item < i; });
-    const int row = static_cast<int>(at - siblings.begin());
-    beginRemoveRows(indexOfNode(node->parent), row, row);
-    siblings.erase(at);
+    Node* parent = nodes_.at(item)->parent;
+    const int row = rowFor(*parent, item);
+    beginRemoveRows(indexOfNode(parent), row, row);
+    parent->children.erase(parent->children.begin() + row);
     nodes_.erase(item);
     endRemoveRows();
+}
+
+void ObjectModel::move(Item item) {
+    Node* node = nodes_.at(item).get();
+    Node *from = node->parent, *to = parentNodeOf(item);
+    const int row = rowFor(*from, item), newRow = rowFor(*to, item);
+    beginMoveRows(indexOfNode(from), row, row, indexOfNode(to), newRow);
+    from->children.erase(from->children.begin() + row);
+    to->children.insert(to->children.begin() + newRow, node);
+    node->parent = to;
+    endMoveRows();
 }
 
 void ObjectModel::refresh(Item item) {
@@ -98,13 +106,16 @@ ObjectModel::Node* ObjectModel::parentNodeOf(Item item) {
     return parent ? nodes_.at(Item::of(parent)).get() : &root_;
 }
 
+int ObjectModel::rowFor(const Node& parent, Item item) {
+    const auto& children = parent.children;
+    return static_cast<int>(std::lower_bound(children.begin(), children.end(), item, [](const Node* n, Item i) { return n->item < i; }) - children.begin());
+}
+
 ObjectModel::Node* ObjectModel::nodeOf(const QModelIndex& index) const { return static_cast<Node*>(index.internalPointer()); }
 
 QModelIndex ObjectModel::indexOfNode(const Node* node, int column) const {
     if (node == &root_) return {};
-    const auto& siblings = node->parent->children;
-    const auto at = std::lower_bound(siblings.begin(), siblings.end(), node->item, [](const Node* n, Item i) { return n->item < i; });
-    return createIndex(static_cast<int>(at - siblings.begin()), column, node);
+    return createIndex(rowFor(*node->parent, node->item), column, node);
 }
 
 Item ObjectModel::itemAt(const QModelIndex& index) const { return nodeOf(index)->item; }

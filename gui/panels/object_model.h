@@ -53,8 +53,11 @@ class ObjectModel : public QAbstractItemModel {
     void rebuild();
     void insert(Item item);
     void remove(Item item);
+    void move(Item item);
     void refresh(Item item);
     [[nodiscard]] Node* parentNodeOf(Item item);
+    /// Where the item is among the children, or would be.
+    [[nodiscard]] static int rowFor(const Node& parent, Item item);
     [[nodiscard]] Node* nodeOf(const QModelIndex& index) const;
     [[nodiscard]] QModelIndex indexOfNode(const Node* node, int column = 0) const;
     [[nodiscard]] QString iconName(Item item) const;

@@ -26,11 +26,6 @@ std::vector<std::uint32_t> selectedIds(const Selection& selection) {
     return out;
 }
 
-template <class Variant>
-QString kindText(const Variant& value) {
-    return toQString(kindOf(value)) + ' ';
-}
-
 }  // namespace
 
 PropertyPanel::PropertyPanel(Document& document, const Selection& selection, QWidget* parent)
@@ -56,25 +51,28 @@ void PropertyPanel::showMaterial(MaterialId material) {
     onChanged();
 }
 
-QString PropertyPanel::structure() const {
+std::vector<std::size_t> PropertyPanel::structure() const {
     const Scene& scene = document_.scene();
-    const auto materialText = [&](const std::vector<std::uint32_t>& materials) {
-        QString out;
-        for (const std::uint32_t id : materials) out += QString::number(id) + ' ' + kindText(scene.materials.at(MaterialId{id}).value);
-        for (const std::uint32_t id : texturesOf(scene, materials)) out += QString::number(id) + ' ';
-        return out;
+    std::vector<std::size_t> out;
+    const auto addMaterialKinds = [&](const std::vector<std::uint32_t>& materials) {
+        for (const std::uint32_t id : materials) out.insert(out.end(), {id, scene.materials.at(MaterialId{id}).value.index()});
+        const std::vector<std::uint32_t> textures = texturesOf(scene, materials);
+        out.insert(out.end(), textures.begin(), textures.end());
     };
-    if (selection_.isEmpty()) return scene.materials.find(material_) ? "material " + materialText({material_.value}) : QStringLiteral("nothing");
+    if (selection_.isEmpty()) {
+        if (scene.materials.find(material_)) addMaterialKinds({material_.value});
+        return out;
+    }
     const ItemKind kind = selection_.items().back().kind;
     const std::vector<std::uint32_t> ids = selectedIds(selection_);
-    QString out = QString::number(static_cast<int>(kind)) + ' ' + QString::number(scene.textures.size()) + ' ';
+    out.insert(out.end(), {static_cast<std::size_t>(kind), scene.textures.size(), ids.size()});
     for (const std::uint32_t id : ids) {
-        out += QString::number(id) + ' ';
-        if (kind == ItemKind::Object) out += kindText(scene.objects.at(ObjectId{id}).shape);
-        if (kind == ItemKind::Light) out += kindText(scene.lights.at(LightId{id}).value);
+        out.push_back(id);
+        if (kind == ItemKind::Object) out.push_back(scene.objects.at(ObjectId{id}).shape.index());
+        if (kind == ItemKind::Light) out.push_back(scene.lights.at(LightId{id}).value.index());
     }
-    if (kind != ItemKind::Object) return out;
-    return out + materialText(materialsOf(scene, ids));
+    if (kind == ItemKind::Object) addMaterialKinds(materialsOf(scene, ids));
+    return out;
 }
 
 void PropertyPanel::addForm(QWidget* content, std::vector<std::uint32_t> targets, void (*build)(FormBuilder&)) {
@@ -103,12 +101,12 @@ void PropertyPanel::addHint(QWidget* content) {
 void PropertyPanel::rebuild() {
     builtFor_ = structure();
     refreshes_.clear();
-    auto* content = new QWidget(this);
+    QWidget* content = newForm();
     auto* layout = new QVBoxLayout(content);
     const bool nothing = selection_.isEmpty(), material = nothing && document_.scene().materials.find(material_);
     if (nothing && !material) {
         addHint(content);
-        setForm(content);
+        showForm();
         return;
     }
     if (material) {
@@ -126,7 +124,7 @@ void PropertyPanel::rebuild() {
         }
     }
     layout->addStretch(1);
-    setForm(content);
+    showForm();
     for (const auto& refresh : refreshes_) refresh(document_.scene());
 }
 

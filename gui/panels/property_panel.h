@@ -30,8 +30,8 @@ class PropertyPanel : public FormScroll {
   private:
     void onChanged();
     void rebuild();
-    /// Text that changes whenever other rows are needed.
-    [[nodiscard]] QString structure() const;
+    /// Of whom the rows are, and of which kinds: changes whenever other rows are needed.
+    [[nodiscard]] std::vector<std::size_t> structure() const;
     void addForm(QWidget* content, std::vector<std::uint32_t> targets, void (*build)(FormBuilder&));
     void addMaterials(QWidget* content, const std::vector<std::uint32_t>& materials);
     void addHint(QWidget* content);
@@ -40,7 +40,7 @@ class PropertyPanel : public FormScroll {
     const Selection& selection_;
     MaterialPreviews* previews_ = nullptr;
     MaterialId material_;  ///< to be shown while nothing is selected
-    QString builtFor_;
+    std::vector<std::size_t> builtFor_;
     std::vector<std::function<void(const Scene&)>> refreshes_;
 };
 

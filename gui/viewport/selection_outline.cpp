@@ -13,9 +13,8 @@ namespace glint {
 namespace {
 
 /// Pixels of the frame on which points of the selected objects fall.
-std::vector<QPoint> seedsOf(const ViewContext& context, const SilhouetteRequest& request) {
+std::vector<QPoint> seedsOf(const Scene& scene, const SilhouetteRequest& request) {
     constexpr std::size_t kMost = 500;  // Of more objects every one has neighbours that are found.
-    const Scene& scene = context.document.scene();
     const ViewProjection view(fittedCamera(scene.viewCamera(), scene.film, request.width, request.height), request.width, request.height);
     std::vector<QPoint> out;
     for (std::size_t i = 0; i < std::min(kMost, request.selected.size()); ++i) {
@@ -66,10 +65,10 @@ const QImage& SelectionOutline::image(const ViewContext& context) {
         return image_;
     }
     if (samePicture(request, wanted_)) return image_;
-    request.seeds = seedsOf(context, request);
     // Two device pixels on a usual screen, and as thick to the eye on a finer one.
     thickness_ = std::max(1, static_cast<int>(std::lround(1.5 * context.widget.devicePixelRatioF())));
     wanted_ = std::move(request);
+    document_ = context.document.scene();
     if (!watcher_.isRunning()) start();
     return image_;
 }
@@ -77,7 +76,8 @@ const QImage& SelectionOutline::image(const ViewContext& context) {
 void SelectionOutline::start() {
     running_ = wanted_;
     const OverlayColors colors;
-    watcher_.setFuture(QtConcurrent::run([request = running_, thickness = thickness_, colors] {
+    watcher_.setFuture(QtConcurrent::run([request = running_, scene = document_, thickness = thickness_, colors]() mutable {
+        request.seeds = seedsOf(scene, request);
         return outlineImage(silhouette(request), request.width, request.height, thickness, colors.selected, colors.active);
     }));
 }

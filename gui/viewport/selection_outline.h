@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "gui/viewport/silhouette.h"
+#include "tracer/scene/scene.h"
 
 namespace glint {
 
@@ -32,6 +33,7 @@ class SelectionOutline : public QObject {
     void take();
 
     SilhouetteRequest shown_, wanted_, running_;
+    Scene document_;  ///< as it was when `wanted_` was
     int thickness_ = 1;
     QImage image_;
     QFutureWatcher<QImage> watcher_;

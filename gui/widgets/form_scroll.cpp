@@ -2,23 +2,36 @@
 
 #include <QEvent>
 #include <QScrollBar>
+#include <QVBoxLayout>
 
 namespace glint {
 
-FormScroll::FormScroll(QWidget* parent) : QScrollArea(parent) {
+FormScroll::FormScroll(QWidget* parent) : QScrollArea(parent), layout_(new QVBoxLayout) {
+    auto* holder = new QWidget(this);
+    layout_->setContentsMargins(0, 0, 0, 0);
+    holder->setLayout(layout_);
+    holder->installEventFilter(this);
+    setWidget(holder);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 
-void FormScroll::setForm(QWidget* form) {
-    // The old form may be in the middle of an event of one of its editors.
-    if (QWidget* old = takeWidget()) {
-        old->hide();
-        old->deleteLater();
+QWidget* FormScroll::newForm() {
+    if (form_) {
+        // The old form may be in the middle of an event of one of its editors. It keeps its place in the tree of widgets: to
+        // take it out would set the style of each of its parts anew.
+        layout_->removeWidget(form_);
+        form_->hide();
+        form_->deleteLater();
     }
-    setWidget(form);
-    form->installEventFilter(this);
+    form_ = new QWidget(widget());
+    return form_;
+}
+
+void FormScroll::showForm() {
+    layout_->addWidget(form_);
+    form_->show();
     fitWidth();
 }
 

@@ -3,6 +3,8 @@
 
 #include <QScrollArea>
 
+class QVBoxLayout;
+
 namespace glint {
 
 class FormScroll : public QScrollArea {
@@ -12,12 +14,17 @@ class FormScroll : public QScrollArea {
     explicit FormScroll(QWidget* parent = nullptr);
 
   protected:
-    /// Shows `form` in place of the old one, which goes when its events are over.
-    void setForm(QWidget* form);
+    /// An empty form, not shown yet. The old one goes when its events are over.
+    [[nodiscard]] QWidget* newForm();
+    /// Shows the new form when it is filled.
+    void showForm();
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void fitWidth();
+
+    QVBoxLayout* layout_;
+    QWidget* form_ = nullptr;
 };
 
 }  // namespace glint

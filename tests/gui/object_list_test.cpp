@@ -72,6 +72,58 @@ class ObjectListTest : public QObject {
         QCOMPARE(refused.count(), 1);
         QCOMPARE(nameOf(document.scene(), kBall), std::string("Ball"));
     }
+    void manySelectedRowsAreFewRanges() {
+        // The tree goes through all ranges for every row that it paints.
+        constexpr int kGroups = 3, kEach = 20;
+        Scene scene;
+        std::vector<GroupId> groups;
+        for (int i = 0; i < kGroups; ++i) groups.push_back(scene.groups.add({"Group " + std::to_string(i), {}, {}}));
+        std::vector<Item> items;
+        for (int i = 0; i < kGroups * kEach; ++i) {
+            Object object{"Object " + std::to_string(i), Sphere{}};
+            object.parent = groups[static_cast<std::size_t>(i % kGroups)];
+            items.push_back(Item::of(scene.objects.add(std::move(object))));
+        }
+        Document document;
+        Selection selection(document);
+        document.replace(scene, {});
+        ObjectList list(document, selection);
+        selection.set(items);
+        const QItemSelectionModel& rows = *list.tree()->selectionModel();
+        QCOMPARE(rows.selectedRows().size(), qsizetype(kGroups * kEach));
+        QCOMPARE(rows.selection().size(), qsizetype(kGroups));
+    }
+    void whatMovesIntoAGroupStaysSelected() {
+        Document document;
+        Selection selection(document);
+        document.replace(smallScene(), {});
+        ObjectList list(document, selection);
+        QAbstractItemModelTester tester(list.model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+        auto [scene, group] = withGroup(document.scene(), Group{"G", {}, {}});
+        document.edit(scene, "Group");
+        selection.set({kBall});
+        document.edit(movedInto(document.scene(), kBall, group), "Move");
+        QCOMPARE(selection.items(), std::vector<Item>{kBall});
+        QCOMPARE(list.tree()->selectionModel()->selectedRows().size(), qsizetype(1));
+        document.undoStack().undo();
+        QCOMPARE(selection.items(), std::vector<Item>{kBall});
+    }
+    void closedGroupsStayClosedUntilAnotherScene() {
+        Document document;
+        Selection selection(document);
+        auto [scene, group] = withGroup(smallScene(), Group{"G", {}, {}});
+        document.replace(movedInto(scene, kBall, group), {});
+        ObjectList list(document, selection);
+        const auto isOpen = [&] {
+            return list.tree()->isExpanded(list.tree()->model()->index(0, 0));
+        };
+        QVERIFY(isOpen());
+        list.tree()->collapse(list.tree()->model()->index(0, 0));
+        document.edit(withGroup(document.scene(), Group{"Another", {}, {}}).scene, "Group");
+        QVERIFY(!isOpen());
+        document.replace(movedInto(scene, kBall, group), {});
+        QVERIFY(isOpen());
+    }
     void clickOnTheEyeHides() {
         Document document;
         Selection selection(document);
