@@ -62,10 +62,10 @@ TEST(BsdfEnergy, WhiteLeavesKeepAllLight) {
     }
     std::printf("largest difference from 1: metal %.1e, thin glass %.1e, glossy %.1e, glass %.1e\n",
                 metal, thin, glossy, glass);
-    EXPECT_LE(metal, 5e-4);
-    EXPECT_LE(thin, 5e-4);
-    EXPECT_LE(glossy, 5e-4);
-    EXPECT_LE(glass, 5e-4);
+    EXPECT_LE(metal, 1e-4);
+    EXPECT_LE(thin, 1e-4);
+    EXPECT_LE(glossy, 1e-4);
+    EXPECT_LE(glass, 1e-4);
 }
 
 TEST(BsdfEnergy, PolishedGlossyWithWhiteBaseKeepsAllLight) {

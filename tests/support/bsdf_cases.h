@@ -56,7 +56,7 @@ struct DirectionGrid {
                                                  const Vec3& wo, const DirectionGrid& rule,
                                                  const std::function<double(const Vec3&)>& density,
                                                  int firstSheet = 0, int lastSheet = 2);
-/// The sum of these.
+/// The integral over all directions, with cells as small as the density needs them.
 [[nodiscard]] double integrateDirections(const LeafCase& c, const Vec3& wo,
                                          const std::function<double(const Vec3&)>& density);
 
