@@ -8,6 +8,7 @@
 #include "tracer/render/adaptive.h"
 #include "tracer/render/scheduler.h"
 #include "tracer/render/stop_rule.h"
+#include "tracer/render/tile_error.h"
 
 namespace glint {
 namespace {
@@ -20,13 +21,14 @@ TEST(TileError, BoundFactorIsTheRootOfTheFDistribution) {
     EXPECT_NEAR(errorBoundFactor(4), std::sqrt(6.388), 0.01 * std::sqrt(6.388));
 }
 
+constexpr AdaptiveRule kRule = adaptiveRule(Integrator::Path);
+
 /// Adds samples up to the goals; `valueOf(random)` draws one.
 template <class Value>
-void addUpTo(Film& film, const std::vector<std::uint32_t>& goals, test::Random& random, Value valueOf) {
-    const int columns = (film.width() + kErrorTile - 1) / kErrorTile;
+void addUpTo(Film& film, const CellGoals& goals, test::Random& random, Value valueOf) {
     for (int y = 0; y < film.height(); ++y)
         for (int x = 0; x < film.width(); ++x)
-            while (film.samples(x, y) < goals[static_cast<std::size_t>(y / kErrorTile * columns + x / kErrorTile)])
+            while (film.samples(x, y) < goals.at(x, y))
                 film.add(x, y, Rgb(valueOf(random)), {}, 0);
 }
 
@@ -51,7 +53,7 @@ Spikes adaptiveSpikes(int pictures, unsigned seed) {
     Spikes out;
     for (int i = 0; i < pictures; ++i) {
         Film film(kSize, kSize);
-        for (int stage = 0; stage < 13; ++stage) addUpTo(film, AdaptivePlan::next(film, {0, 0, kSize, kSize}, 1u << 20), random, spikes);
+        for (int stage = 0; stage < 13; ++stage) addUpTo(film, nextGoals(film, {0, 0, kSize, kSize}, 1u << 20, kRule), random, spikes);
         out.mean += meanOf(film) / pictures;
     }
     out.sigma = 20 * std::sqrt(1e-3 / (64.0 * kSize * kSize * pictures));
@@ -78,15 +80,13 @@ TEST(Adaptive, SpendsSamplesWhereTheErrorIs) {
     const auto render = [&](bool adaptive) {
         Film film(kSize, kSize);
         std::uint64_t samples = 0;
-        std::vector<std::uint32_t> goals(static_cast<std::size_t>(kSize / kErrorTile * kSize / kErrorTile), 256);
+        CellGoals goals{kSize, 1, {256}};
         while (samples < 256 * kSize * kSize) {
-            if (adaptive) goals = AdaptivePlan::next(film, {0, 0, kSize, kSize}, 256);
-            const int columns = kSize / kErrorTile;
+            if (adaptive) goals = nextGoals(film, {0, 0, kSize, kSize}, 256, kRule);
             samples = 0;
             for (int y = 0; y < kSize; ++y)
                 for (int x = 0; x < kSize; ++x) {
-                    const std::uint32_t goal = goals[static_cast<std::size_t>(y / kErrorTile * columns + x / kErrorTile)];
-                    while (film.samples(x, y) < goal) film.add(x, y, Rgb(static_cast<float>(y < 8 ? 2 * random.uniform() : 1 + 0.01 * random.uniform())), {}, 0);
+                    while (film.samples(x, y) < goals.at(x, y)) film.add(x, y, Rgb(static_cast<float>(y < 8 ? 2 * random.uniform() : 1 + 0.01 * random.uniform())), {}, 0);
                     samples += film.samples(x, y);
                 }
         }
@@ -101,10 +101,10 @@ TEST(Adaptive, CountsArePowersOfTwoAndNoneFallsBehind) {
     Film film(64, 40);
     test::Random random(5);
     for (int stage = 0; stage < 30; ++stage) {
-        const auto goals = AdaptivePlan::next(film, {0, 0, 64, 40}, 1u << 20);
-        const auto [least, most] = std::minmax_element(goals.begin(), goals.end());
-        EXPECT_LE(*most, 2 * AdaptivePlan::kSpread * *least);
-        for (const std::uint32_t goal : goals) EXPECT_EQ(goal & (goal - 1), 0u);
+        const auto goals = nextGoals(film, {0, 0, 64, 40}, 1u << 20, kRule);
+        const auto [least, most] = std::minmax_element(goals.samples.begin(), goals.samples.end());
+        EXPECT_LE(*most, 2 * kRule.spread * *least);
+        for (const std::uint32_t goal : goals.samples) EXPECT_EQ(goal & (goal - 1), 0u);
         if (*most > 4096) break;
         int pixel = 0;
         addUpTo(film, goals, random, [&](test::Random& r) { return ++pixel % 97 == 0 ? 50 * static_cast<float>(r.uniform()) : 1.0f; });

@@ -1,25 +1,43 @@
-// Adaptive sampling: which tiles get samples next, so that the error of the picture falls fastest. Tiles are chosen by half A of
-// the film alone, so that half B stays free of bias, and their counts are powers of two, so that the samples stay well spread.
+// Adaptive sampling: which cells of a film get samples next, so that the error of the picture falls fastest. Cells are chosen by
+// half A of the film alone, so that half B stays free of bias, and their counts are powers of two, so that the samples stay well
+// spread.
 #pragma once
 
-#include "tracer/render/tile_error.h"
+#include <limits>
+
+#include "tracer/render/film.h"
+#include "tracer/render/sample_goal.h"
+#include "tracer/scene/scene.h"
 
 namespace glint {
 
-/// Goals for the next stage of a render: samples for each tile of 8 x 8 pixels, row-major, as SampleGoal::tiles. A pure function
-/// of the film, in which every tile that `rect` touches has reached its goal of the stage before (or has no samples); so the
-/// course of a render does not depend on threads or timing.
-///
-/// Up to kUniform samples all tiles go together. Then each stage doubles the tiles where that lowers the squared error of the
-/// picture most for its cost, in order of (variance of a sample) / samples^2, until a stage costs a quarter of all samples so
-/// far; no tile falls behind the furthest by more than kSpread. Variances are means over 3 x 3 tiles: a rare event that one tile
-/// has missed is likely to show next to it.
-class AdaptivePlan {
-  public:
-    static constexpr std::uint32_t kUniform = 64, kSpread = 16;
-
-    /// The goals that come after the state of `film`; together they take about `spp` samples a pixel at most.
-    static std::vector<std::uint32_t> next(const Film& film, const PixelRect& rect, std::uint32_t spp);
+/// How an integrator's pictures are sampled by their error.
+struct AdaptiveRule {
+    int cell;               ///< pixels a side that have one number of samples
+    std::uint32_t uniform;  ///< samples up to which all cells go together
+    std::uint32_t spread;   ///< no cell falls behind the furthest by more than this factor
+    int believed;           ///< samples of every pixel from which on the error is believed: fewer may by chance agree, and miss what is rare
+    double fall;            ///< a cell's squared error falls as samples^-fall
+    double trust;           ///< degrees of freedom that the mean variance of 3 x 3 cells is worth against the cell's own: a rare event that
+                            ///< one cell has missed is likely to show next to it
 };
+
+/// `path` is noisy all over, and the variance of a pixel is known only after many samples: tiles. A picture of `classic` errs at its
+/// edges, which the samples of a pixel and its neighbours tell at once: pixels. Stratified, n samples of an edge err by n^-3/4.
+[[nodiscard]] constexpr AdaptiveRule adaptiveRule(Integrator integrator) {
+    return integrator == Integrator::Classic ? AdaptiveRule{1, 4, 64, 4, 1.5, 2} : AdaptiveRule{8, 64, 16, 16, 1, std::numeric_limits<double>::infinity()};
+}
+
+/// Goals for the next stage of a render; together they take about `spp` samples a pixel at most. A pure function of the film, in
+/// which every cell that `rect` touches has reached its goal of the stage before (or has no samples); so the course of a render does
+/// not depend on threads or timing.
+///
+/// Up to AdaptiveRule::uniform samples all cells go together. Then each stage doubles the cells where that lowers the squared error
+/// of the picture most for its cost, in order of (variance of a sample) / samples^(1 + fall), until a stage costs a quarter of all
+/// samples so far.
+[[nodiscard]] CellGoals nextGoals(const Film& film, const PixelRect& rect, std::uint32_t spp, const AdaptiveRule& rule);
+
+/// The samples that the cells of a film have.
+[[nodiscard]] CellGoals goalsReached(const Film& film, const AdaptiveRule& rule);
 
 }  // namespace glint

@@ -16,14 +16,6 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 
 double areaOf(const PixelRect& rect) { return static_cast<double>(rect.width) * rect.height; }
 
-/// The samples that the tiles have now.
-std::vector<std::uint32_t> goalsOf(const Film& film) {
-    std::vector<std::uint32_t> goals;
-    for (int y = 0; y < film.height(); y += kErrorTile)
-        for (int x = 0; x < film.width(); x += kErrorTile) goals.push_back(film.samples(x, y));
-    return goals;
-}
-
 /// Pixels of a picture of `old` for one of `next` in the middle of the picture.
 double pixelStep(const Scene& next, const Scene& old) {
     const auto size = [](const Scene& scene) {
@@ -84,7 +76,7 @@ bool LivingPicture::setRegion(const std::optional<PixelRect>& region) {
     wish_.region = region;
     if (workRect() == before) return true;
     if (restIsOld_) return false;
-    picture_.goals.clear();
+    picture_.goals = {};
     judge({});
     if (picture_.spp > 0) picture_.stride = picture_.shownStride = 1;
     return true;
@@ -105,7 +97,7 @@ bool LivingPicture::retrace(const Scene& next, const EditPlan& plan) {
     else backdrop_ = Backdrop{picture_.film, plan.materials};
     picture_.film.setMix(plan.mix);
     backdrop_->film.setMix(plan.mix);
-    if (samplesAdaptively(rules()) && before > 0) picture_.goals = goalsOf(picture_.film);
+    if (samplesAdaptively(rules()) && before > 0) picture_.goals = goalsReached(picture_.film, adaptiveRule(rules().integrator));
     std::vector<std::size_t> rows(static_cast<std::size_t>(picture_.film.rows()));
     pool_.run(picture_.film.rows(), [&](int, int row) { rows[static_cast<std::size_t>(row)] = picture_.film.forget(plan.materials, row); });
     std::size_t forgotten = 0;
@@ -139,7 +131,7 @@ void LivingPicture::restart(Scene next) {
     picture_.counts.nonfinite = 0;
     picture_.counts.firstNonfinite.reset();
     picture_.errors = {};
-    picture_.goals.clear();
+    picture_.goals = {};
     forgetProgress();
     pendingPixels_ = areaOf(workRect());
     pendingSpp_ = 0;
@@ -210,8 +202,8 @@ SampleGoal LivingPicture::nextGoal(double seconds) {
     const auto most = static_cast<std::uint32_t>(std::clamp(static_cast<int>(std::min(affordable, 1e6)), 1, std::max(1, picture_.spp)));
     const auto spp = static_cast<std::uint32_t>(rules().spp);
     if (!samplesAdaptively(rules())) return {.samples = std::min(spp, static_cast<std::uint32_t>(picture_.spp) + most)};
-    if (picture_.goals.empty()) picture_.goals = AdaptivePlan::next(picture_.film, workRect(), spp);
-    return {.tiles = &picture_.goals, .most = most};
+    if (picture_.goals.empty()) picture_.goals = nextGoals(picture_.film, workRect(), spp, adaptiveRule(rules().integrator));
+    return {.cells = &picture_.goals, .most = most};
 }
 
 PassResult LivingPicture::render(const PassTimes& times, const CancelToken& cancel) {
@@ -236,8 +228,8 @@ void LivingPicture::passDone(const SampleGoal& goal) {
         return;
     }
     picture_.shownStride = 1;
-    picture_.goals.clear();
-    if (goal.tiles) judge({});
+    picture_.goals = {};
+    if (goal.cells) judge({});
     else picture_.spp = static_cast<int>(goal.samples);
     if (picture_.spp >= pendingSpp_) pendingPixels_ = areaOf(workRect());
     // A backdrop has served when no pixel rests on it any more.

@@ -10,6 +10,7 @@
 #include "tracer/base/result.h"
 #include "tracer/render/edit_plan.h"
 #include "tracer/render/scheduler.h"
+#include "tracer/render/tile_error.h"
 #include "tracer/render/stop_rule.h"
 
 namespace glint {
@@ -34,7 +35,7 @@ struct Picture {
         double seconds = 0;
     } judged;  ///< of what the film was when `errors` were found
     ErrorTrend trend;
-    std::vector<std::uint32_t> goals;  ///< of the adaptive stage under way; empty: there is none
+    CellGoals goals;  ///< of the adaptive stage under way; empty: there is none
 };
 
 /// How `picture` becomes one of `next` in that folder.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <limits>
 #include <thread>
 
 #include "tracer/render/adaptive.h"
@@ -10,6 +11,7 @@
 #include "tracer/render/preview_filter.h"
 #include "tracer/render/scheduler.h"
 #include "tracer/render/stop_rule.h"
+#include "tracer/render/tile_error.h"
 
 namespace glint {
 
@@ -107,8 +109,8 @@ class HeadlessRender {
         const int done = errors_.leastSamples, most = samplesInPass();
         SampleGoal goal;
         if (samplesAdaptively(scene_.settings)) {
-            if (goals_.empty()) goals_ = AdaptivePlan::next(film_, rect_, static_cast<std::uint32_t>(scene_.settings.spp));
-            goal = {.tiles = &goals_, .most = static_cast<std::uint32_t>(most)};
+            if (goals_.empty()) goals_ = nextGoals(film_, rect_, static_cast<std::uint32_t>(scene_.settings.spp), adaptiveRule(scene_.settings.integrator));
+            goal = {.cells = &goals_, .most = static_cast<std::uint32_t>(most)};
         } else {
             goal.samples = static_cast<std::uint32_t>(std::min(scene_.settings.spp, done + most));
         }
@@ -118,7 +120,7 @@ class HeadlessRender {
         // The rule by error is asked when a stage is whole, so that it does not depend on timing.
         findErrors(film_, rect_, pool_, {}, errors_);
         trend_.add(elapsed(), errors_.picture);
-        if (result == PassResult::Done) goals_.clear();
+        if (result == PassResult::Done) goals_ = {};
         return result == PassResult::Done;
     }
 
@@ -132,7 +134,9 @@ class HeadlessRender {
         double budget = 0.5;
         if (scene_.settings.timeSeconds > 0)
             budget = std::min(budget, std::max(0.0, (scene_.settings.timeSeconds - elapsed()) * 0.5));
-        return std::clamp(static_cast<int>(std::min(1e6, budget / perSample)), 1, std::max(1, errors_.leastSamples));
+        // A stage of adaptive sampling is itself but a part of what was done before it.
+        const int most = samplesAdaptively(scene_.settings) ? std::numeric_limits<int>::max() : errors_.leastSamples;
+        return std::clamp(static_cast<int>(std::min(1e6, budget / perSample)), 1, std::max(1, most));
     }
 
     void report() const {
@@ -189,7 +193,7 @@ class HeadlessRender {
     PixelRect rect_;  ///< what is rendered
     FilmErrors errors_;
     ErrorTrend trend_;
-    std::vector<std::uint32_t> goals_;  ///< of the adaptive stage under way; empty: there is none
+    CellGoals goals_;  ///< of the adaptive stage under way; empty: there is none
     std::atomic<double> paused_{0};     ///< seconds; counted by run(), read by watch(), relaxed
     std::atomic<std::uint64_t> epoch_{0};  ///< moved by watch(); partner: the workers' CancelToken, relaxed
     std::atomic<bool> everyPixelHasASample_{false};  ///< partner: watch(), relaxed

@@ -57,14 +57,8 @@ class Pass {
 
   private:
     [[nodiscard]] int onGrid(int v) const { return (v + stride_ - 1) / stride_ * stride_; }
-    [[nodiscard]] std::uint32_t goalAt(int x, int y) const {
-        if (!goal_.tiles) return goal_.samples;
-        const int columns = (film_.width() + kErrorTile - 1) / kErrorTile;
-        return (*goal_.tiles)[static_cast<std::size_t>(y / kErrorTile * columns + x / kErrorTile)];
-    }
-
     void renderPixel(KernelState& state, int x, int y, WorkerCounts& own) {
-        const std::uint32_t goal = goalAt(x, y), begin = film_.samples(x, y);
+        const std::uint32_t goal = goal_.cells ? goal_.cells->at(x, y) : goal_.samples, begin = film_.samples(x, y);
         for (std::uint32_t sample = begin; sample < goal; ++sample) {
             if (sample - begin >= goal_.most) {
                 own.partial = true;

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
+#include "tracer/render/film.h"
 #include "tracer/render/layers.h"
-#include "tracer/render/tile_error.h"
+#include "tracer/render/sample_goal.h"
+#include "tracer/render/worker_pool.h"
 
 namespace glint {
 
@@ -15,13 +16,6 @@ struct RenderCounts {
     WorkCounts work;
     std::uint64_t nonfinite = 0;  ///< samples that were not finite: counted as black
     std::optional<SamplePlace> firstNonfinite;
-};
-
-/// What a pass is to bring the pixels to.
-struct SampleGoal {
-    std::uint32_t samples = 1;  ///< that every pixel is to have, unless `tiles` says it by tile
-    const std::vector<std::uint32_t>* tiles = nullptr;  ///< the same for each tile of 8 x 8 pixels of the film, row-major
-    std::uint32_t most = ~0u;   ///< new samples that a pixel gets in this pass
 };
 
 enum class PassResult { Done, Partial, Cancelled };  ///< Partial: `most` left pixels short of the goal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracer/render/tile_error.h"
+#include "tracer/render/adaptive.h"
 
 namespace glint {
 
@@ -40,7 +40,7 @@ double ErrorTrend::secondsUntil(double error) const {
 
 bool isDone(const RenderSettings& rules, const RenderProgressState& state) {
     return state.samples >= rules.spp || (rules.timeSeconds > 0 && state.leastSamples > 0 && state.seconds >= rules.timeSeconds) ||
-           meetsErrorRule(state.error, state.leastSamples, rules.errorPercent);
+           (rules.errorPercent > 0 && state.leastSamples >= adaptiveRule(rules.integrator).believed && 100 * state.error <= rules.errorPercent);
 }
 
 double remainingSeconds(const RenderSettings& rules, const RenderProgressState& state, const ErrorTrend& trend) {

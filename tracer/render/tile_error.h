@@ -1,5 +1,5 @@
 // How noisy a film is, told from the difference of its halves, which are scrambled independently: per tile of 8 x 8 pixels with a
-// 95 % bound, and as one figure for the picture. The stop rule by error is here too.
+// 95 % bound, and as one figure for the picture.
 #pragma once
 
 #include <optional>
@@ -64,11 +64,5 @@ struct FilmErrors {
 };
 /// Bounds of all tiles, and the error of the pixels of `rect`. False when cancelled: `out` is then of no use.
 bool findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, const CancelToken& cancel, FilmErrors& out);
-
-/// Whether a picture with that error and so many samples a pixel meets the stop rule `percent` (0: none). A few samples alone
-/// may by chance agree, and miss what is rare: fewer than 16 never do.
-[[nodiscard]] inline bool meetsErrorRule(double error, int samples, double percent) {
-    return percent > 0 && samples >= 16 && 100 * error <= percent;
-}
 
 }  // namespace glint

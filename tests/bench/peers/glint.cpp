@@ -10,9 +10,9 @@ namespace glint::bench {
 
 namespace {
 
-class GlintRenderer final : public Renderer {
+class InProcess final : public GlintRenderer {
   public:
-    GlintRenderer(PeerScene peer, double setupSeconds) : peer_(std::move(peer)), setupSeconds_(setupSeconds) {}
+    InProcess(PeerScene peer, double setupSeconds) : peer_(std::move(peer)), setupSeconds_(setupSeconds) {}
 
     Status prepare() {
         const Stopwatch watch;
@@ -23,18 +23,24 @@ class GlintRenderer final : public Renderer {
         setupSeconds_ += watch.wallSeconds();
         return Done{};
     }
-    Result<TimedPicture> render(int spp, int seed) override {
-        auto scene = std::make_shared<RenderScene>(*compiled_);
-        scene->settings.spp = spp;
-        scene->settings.seed = seed;
-        const Stopwatch watch;
-        Rendering rendering = glint::render(scene, {.threads = peer_.threads});
-        return TimedPicture{std::move(rendering.beauty), rendering.seconds, watch.processSeconds()};
-    }
+    Result<TimedPicture> render(int spp, int seed) override { return timed(spp, 0, seed); }
+    Result<TimedPicture> renderTo(double errorPercent, int seed) override { return timed(kMostSpp, errorPercent, seed); }
     [[nodiscard]] double setupSeconds() const override { return setupSeconds_; }
     [[nodiscard]] std::vector<std::string> notes() const override { return notes_; }
 
   private:
+    static constexpr int kMostSpp = 1 << 16;
+
+    TimedPicture timed(int spp, double errorPercent, int seed) {
+        auto scene = std::make_shared<RenderScene>(*compiled_);
+        scene->settings.spp = spp;
+        scene->settings.errorPercent = errorPercent;
+        scene->settings.seed = seed;
+        const Stopwatch watch;
+        Rendering rendering = glint::render(scene, {.threads = peer_.threads});
+        return {std::move(rendering.beauty), rendering.seconds, watch.processSeconds()};
+    }
+
     PeerScene peer_;
     AssetCache assets_;
     std::shared_ptr<const RenderScene> compiled_;
@@ -44,11 +50,11 @@ class GlintRenderer final : public Renderer {
 
 }  // namespace
 
-Result<std::unique_ptr<Renderer>> startGlint(const PeerScene& scene) {
-    auto renderer = std::make_unique<GlintRenderer>(scene, 0.0);
+Result<std::unique_ptr<GlintRenderer>> startGlint(const PeerScene& scene) {
+    auto renderer = std::make_unique<InProcess>(scene, 0.0);
     const Status ready = renderer->prepare();
     if (!ready) return ready.error();
-    return std::unique_ptr<Renderer>(std::move(renderer));
+    return std::unique_ptr<GlintRenderer>(std::move(renderer));
 }
 
 }  // namespace glint::bench

@@ -66,7 +66,8 @@ class SceneComparison {
   public:
     SceneComparison(const PeersOptions& options, PeerScene scene) : options_(options), scene_(std::move(scene)) {}
 
-    Status add(const std::string& name, Result<std::unique_ptr<Renderer>> renderer) {
+    template <class Any>
+    Status add(const std::string& name, Result<std::unique_ptr<Any>> renderer) {
         if (!renderer) return renderer.error();
         contenders_.push_back({name, std::move(renderer).value(), 0, {}, {}, {}, {}});
         return Done{};

@@ -8,7 +8,12 @@
 namespace glint::bench {
 
 /// Glint itself, in this process.
-[[nodiscard]] Result<std::unique_ptr<Renderer>> startGlint(const PeerScene& scene);
+class GlintRenderer : public Renderer {
+  public:
+    /// Renders until the picture's error is down to so many percent, sampling where the error is.
+    virtual Result<TimedPicture> renderTo(double errorPercent, int seed) = 0;
+};
+[[nodiscard]] Result<std::unique_ptr<GlintRenderer>> startGlint(const PeerScene& scene);
 
 /// Blender's Cycles on the processor, in a Blender of its own that is kept for all renders: no clamping, glossy filter, adaptive
 /// stop, light threshold or denoiser.

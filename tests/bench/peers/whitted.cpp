@@ -22,6 +22,9 @@ constexpr int kReferenceSpp = 128, kReferenceRenders = 4;
 constexpr std::array<PovrayQuality, 13> kQualities = {{{1, 2, 0}, {1, 3, 0}, {1, 4, 0}, {1, 6, 0}, {1, 9, 0}, {1, 3, 0.3}, {1, 4, 0.1}, {2, 2, 0.1}, {2, 3, 0.1},
                                                        {2, 2, 0.03}, {2, 3, 0.03}, {2, 3, 0.01}, {2, 4, 0.01}}};
 
+/// Errors in percent at which Glint stops.
+constexpr std::array kErrors{8.0, 5.6, 4.0, 2.8, 2.0, 1.4, 1.0, 0.7, 0.5, 0.35, 0.25, 0.18};
+
 /// One setting of one renderer.
 struct Setting {
     std::string name;
@@ -60,7 +63,7 @@ class WhittedComparison {
         Result<Povray> povray = Povray::prepare(scene_);
         if (!povray) return povray.error();
         notes_ = povray.value().notes();
-        Result<std::unique_ptr<Renderer>> glint = startGlint(scene_);
+        Result<std::unique_ptr<GlintRenderer>> glint = startGlint(scene_);
         if (!glint) return glint.error();
         if (Status made = makeReferences(povray.value(), *glint.value()); !made) return made;
         for (int run = 0; run < options_.runs; ++run) {
@@ -70,10 +73,10 @@ class WhittedComparison {
                 if (!picture) return picture.error();
                 add(povray_, i, format("+AM%d +R%d +A%g", q.method, q.depth, q.threshold), picture.value(), povrayReference_);
             }
-            for (std::size_t power = 0; power < 8; ++power) {
-                Result<TimedPicture> picture = glint.value()->render(1 << power, 1);
+            for (std::size_t i = 0; i < kErrors.size(); ++i) {
+                Result<TimedPicture> picture = glint.value()->renderTo(kErrors[i], 1);
                 if (!picture) return picture.error();
-                add(glint_, power, format("%d spp", 1 << power), picture.value(), glintReference_);
+                add(glint_, i, format("%g %%", kErrors[i]), picture.value(), glintReference_);
             }
         }
         return Done{};
@@ -165,6 +168,7 @@ int compareWithPovray(const PeersOptions& options, const PeerScene& scene, Whitt
         std::printf("  %-16s relMSE %.2e  %.3f s (processor %.3f s): ratio %.2f, by processor time %.2f\n", s->name.c_str(), s->relMse, median(s->wall), median(s->cpu),
                     wall.back(), cpu.back());
     }
+    for (const Setting& s : comparison.glint()) std::printf("  Glint to %-6s relMSE %.2e  %.3f s (processor %.3f s)\n", s.name.c_str(), s.relMse, median(s.wall), median(s.cpu));
     std::printf("  geometric mean %.2f, by processor time %.2f; pictures: mean %+.2f %%, rms %.2f %%\n", geometricMean(wall), geometricMean(cpu),
                 100 * (difference.meanRatio - 1), 100 * difference.rms);
     for (const std::string& note : comparison.notes()) std::printf("  note: %s\n", note.c_str());
