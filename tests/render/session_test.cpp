@@ -35,10 +35,10 @@ SceneBuilder stillLife() {
 
 ViewSettings viewOf(const Scene& scene) { return {scene.film.width, scene.film.height, {}, false, {}, 0}; }
 
-/// The next frame for which `wanted` holds; a copy, or a failure after ten seconds.
+/// The next frame for which `wanted` holds; a copy, or a failure after two minutes: sanitizers and busy machines are slow.
 template <class Wanted>
 SessionFrame waitFor(Session& session, Wanted wanted) {
-    for (int i = 0; i < 10000; ++i) {
+    for (int i = 0; i < 120000; ++i) {
         if (const SessionFrame* frame = session.take(); frame && wanted(*frame)) return *frame;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
