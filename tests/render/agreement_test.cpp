@@ -12,9 +12,8 @@
 namespace glint {
 namespace {
 
+using test::grey;
 using test::SceneBuilder;
-
-Color grey(double v) { return {v, v, v}; }
 
 /// Both integrators show the same at every pixel; were one 2 % brighter, it would be noticed.
 void expectAgreement(SceneBuilder b) {

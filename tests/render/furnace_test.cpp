@@ -6,9 +6,8 @@
 namespace glint {
 namespace {
 
+using test::grey;
 using test::SceneBuilder;
-
-Color grey(double v) { return {v, v, v}; }
 
 /// A camera within a closed emissive shape, looking at its wall.
 SceneBuilder insideOf(const Shape& shape, double albedo, double emission, const DVec3& from, const DVec3& to) {

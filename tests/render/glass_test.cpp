@@ -6,9 +6,8 @@
 namespace glint {
 namespace {
 
+using test::grey;
 using test::SceneBuilder;
-
-Color grey(double v) { return {v, v, v}; }
 
 /// Fresnel's reflectance on entering glass of index n, written down anew in double.
 double fresnel(double cosine, double n) {

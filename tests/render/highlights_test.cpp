@@ -11,9 +11,8 @@
 namespace glint {
 namespace {
 
+using test::grey;
 using test::SceneBuilder;
-
-Color grey(double v) { return {v, v, v}; }
 
 struct NoHighlights : UsualEffort {
     static constexpr bool kHighlights = false;

@@ -10,9 +10,8 @@
 namespace glint {
 namespace {
 
+using test::grey;
 using test::SceneBuilder;
-
-Color grey(double v) { return {v, v, v}; }
 
 using Channels = std::map<std::string, std::vector<float>>;
 

@@ -13,6 +13,8 @@
 
 namespace glint::test {
 
+[[nodiscard]] inline Color grey(double v) { return {v, v, v}; }
+
 /// A scene under construction: each call adds one thing.
 class SceneBuilder {
   public:
