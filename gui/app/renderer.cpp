@@ -137,11 +137,24 @@ void Renderer::publishView() {
     session_->publish(view_);
 }
 
+void Renderer::probe(QPoint pixel, std::function<void(const Rgb&)> answer) {
+    view_.paint.probe = {pixel.x(), pixel.y()};
+    probeAnswer_ = std::move(answer);
+    publishView();
+}
+
+void Renderer::answerProbe() {
+    if (!probeAnswer_ || !frame_->probe || frame_->probe->pixel != view_.paint.probe) return;
+    view_.paint.probe.reset();
+    std::exchange(probeAnswer_, {})(frame_->probe->light);
+}
+
 void Renderer::takeFrame() {
     eventPending_.exchange(false, std::memory_order_acq_rel);
     if (const SessionFrame* frame = session_->take()) {
         frame_ = frame;
         emit frameReady();
+        answerProbe();
     }
 }
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <QObject>
+#include <QPoint>
 #include <QRectF>
 #include <QSize>
 #include <atomic>
+#include <functional>
 #include <memory>
 
 #include "tracer/render/session.h"
@@ -46,6 +48,8 @@ class Renderer : public QObject {
     /// Shows this scene, from where the document is looked at, instead of the document's, until it is edited; nothing: the document.
     void setCompared(std::optional<Scene> scene);
     [[nodiscard]] bool isComparing() const { return compared_.has_value(); }
+    /// Tells the linear light of a pixel of the picture when the next frame comes. A new question takes the place of one not yet answered.
+    void probe(QPoint pixel, std::function<void(const Rgb& light)> answer);
     /// Out of sight nothing is rendered.
     void setShown(bool shown);
 
@@ -60,11 +64,13 @@ class Renderer : public QObject {
     void publishScene();
     void publishView();
     void takeFrame();
+    void answerProbe();
     void changeView();
 
     const Document& document_;
     bool paused_ = false, shown_ = true;
     std::optional<QRectF> region_;
+    std::function<void(const Rgb&)> probeAnswer_;  ///< to the question in view_.paint.probe; null: there is none
     std::vector<ObjectId> isolated_;
     std::optional<Scene> compared_;
     ViewSettings view_;

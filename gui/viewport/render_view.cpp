@@ -72,16 +72,15 @@ QPointF RenderView::pointerOrCenter() const {
     return rect().contains(at.toPoint()) ? at : QRectF(rect()).center();
 }
 
-std::optional<Color> RenderView::colorAt(const QPoint& global) const {
+bool RenderView::tellColor(const QPoint& global, std::function<void(const Color&)> tell) {
     const SessionFrame* frame = context_.renderer.frame();
     const QPointF at = mapFromGlobal(QPointF(global));
-    if (!frame || frame->width <= 0 || !QRectF(rect()).contains(at)) return std::nullopt;
-    const auto x = static_cast<std::size_t>(std::clamp(at.x() * frame->width / width(), 0.0, frame->width - 1.0));
-    const auto y = static_cast<std::size_t>(std::clamp(at.y() * frame->height / height(), 0.0, frame->height - 1.0));
-    const QColor shown = QColor::fromRgb(frame->pixels[y * static_cast<std::size_t>(frame->width) + x]);
-    const double gain = std::exp2(-context_.document.scene().display.exposureEv);
-    const auto linear = [gain](float channel) { return static_cast<double>(linearFromSrgb(channel)) * gain; };
-    return Color{linear(shown.redF()), linear(shown.greenF()), linear(shown.blueF())};
+    const QRectF picture = frame && frame->width > 0 ? pictureRect() : QRectF();
+    if (!picture.contains(at)) return false;
+    const auto pixel = [](double share, int count) { return std::clamp(static_cast<int>(share * count), 0, count - 1); };
+    context_.renderer.probe({pixel((at.x() - picture.x()) / picture.width(), frame->width), pixel((at.y() - picture.y()) / picture.height(), frame->height)},
+                            [tell = std::move(tell)](const Rgb& light) { tell({light.x, light.y, light.z}); });
+    return true;
 }
 
 void RenderView::beginFollow(Scene base, const QString& text) {

@@ -43,7 +43,7 @@ class RenderView : public QWidget, public PictureSource {
     /// Ends what the pointer is doing and takes it back; false if it does nothing.
     bool cancelGesture();
     [[nodiscard]] bool isGesturing() const { return gesture_ != nullptr; }
-    [[nodiscard]] std::optional<Color> colorAt(const QPoint& global) const override;
+    bool tellColor(const QPoint& global, std::function<void(const Color&)> tell) override;
     [[nodiscard]] QSize sizeHint() const override { return {960, 540}; }
 
   signals:

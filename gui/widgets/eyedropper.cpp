@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPointer>
 #include <QWidget>
 
 namespace glint {
@@ -12,11 +13,13 @@ Eyedropper::Eyedropper(QObject* parent) : QObject(parent) {
     QApplication::setOverrideCursor(Qt::CrossCursor);
 }
 
-Eyedropper::~Eyedropper() { QApplication::restoreOverrideCursor(); }
+Eyedropper::~Eyedropper() { end(); }
 
 void Eyedropper::end() {
+    if (ended_) return;
+    ended_ = true;
     qApp->removeEventFilter(this);
-    deleteLater();
+    QApplication::restoreOverrideCursor();
 }
 
 bool Eyedropper::eventFilter(QObject* watched, QEvent* event) {
@@ -24,15 +27,19 @@ bool Eyedropper::eventFilter(QObject* watched, QEvent* event) {
         if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape) return false;
         // Accepted, it comes back as a key: Esc is a shortcut of the window's as well.
         event->accept();
-        if (event->type() == QEvent::KeyPress) end();
+        if (event->type() == QEvent::KeyPress) deleteLater();
         return true;
     }
     if (event->type() != QEvent::MouseButtonPress || !watched->isWidgetType()) return false;
     const auto* press = static_cast<QMouseEvent*>(event);
-    const auto* picture = dynamic_cast<const PictureSource*>(watched);
-    const auto color = picture && press->button() == Qt::LeftButton ? picture->colorAt(press->globalPosition().toPoint()) : std::nullopt;
+    auto* picture = dynamic_cast<PictureSource*>(watched);
     end();
-    if (color) emit picked(*color);
+    const auto tell = [self = QPointer(this)](const Color& color) {
+        if (!self) return;
+        emit self->picked(color);
+        self->deleteLater();
+    };
+    if (!picture || press->button() != Qt::LeftButton || !picture->tellColor(press->globalPosition().toPoint(), tell)) deleteLater();
     return true;
 }
 

@@ -3,7 +3,7 @@
 
 #include <QObject>
 #include <QPoint>
-#include <optional>
+#include <functional>
 
 #include "tracer/color/rgb.h"
 
@@ -13,8 +13,9 @@ namespace glint {
 class PictureSource {
   public:
     virtual ~PictureSource() = default;
-    /// Linear Rec.709 of the pixel at a point of the screen, before the exposure; none outside the picture.
-    [[nodiscard]] virtual std::optional<Color> colorAt(const QPoint& global) const = 0;
+    /// Tells the linear light (Rec.709) of the pixel at a point of the screen, before the exposure, as soon as it is known. False outside
+    /// the picture: then nothing is told.
+    virtual bool tellColor(const QPoint& global, std::function<void(const Color&)> tell) = 0;
 };
 
 class Eyedropper : public QObject {
@@ -30,7 +31,10 @@ class Eyedropper : public QObject {
     void picked(const glint::Color& color);
 
   private:
+    /// Sees no more events. What was clicked may still be about to be told.
     void end();
+
+    bool ended_ = false;
 };
 
 }  // namespace glint

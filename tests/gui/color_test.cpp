@@ -59,10 +59,6 @@ class ColorTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(window_->renderer().frame() && window_->renderer().frame()->state == SessionState::Converged, kPatienceMs);
         RenderView& view = window_->view();
         const QPoint sky(view.width() / 2, view.height() / 2 - view.height() / 3);
-        const std::optional<Color> there = view.colorAt(view.mapToGlobal(sky));
-        QVERIFY(there);
-        constexpr double kStep = 2.5e-3;  // Half a step of the display's 8 bits there.
-        QVERIFY(std::abs(there->r - 0.3) < kStep && std::abs(there->g - 0.2) < kStep && std::abs(there->b - 0.1) < kStep);
         const Color before = albedo();
         clickDropper();
         QTest::keyClick(&view, Qt::Key_Escape);
@@ -71,7 +67,8 @@ class ColorTest : public QObject {
         window_->selection().set({kBall});
         clickDropper();
         QTest::mouseClick(&view, Qt::LeftButton, {}, sky);
-        QVERIFY(albedo() == *there);
+        const auto isSky = [](const Color& c) { return std::abs(c.r - 0.3) < 1e-6 && std::abs(c.g - 0.2) < 1e-6 && std::abs(c.b - 0.1) < 1e-6; };
+        QTRY_VERIFY(isSky(albedo()));
         QVERIFY(window_->selection().contains(kBall));
     }
 };

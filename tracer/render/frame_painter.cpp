@@ -95,6 +95,9 @@ bool FramePainter::paint(const std::shared_ptr<const RenderScene>& scene, const 
     out.legend.reset();
     out.errors = errors;
     const int mask = ~(stride - 1);
+    out.probe.reset();
+    if (const auto& at = settings.probe; at && std::min((*at)[0], (*at)[1]) >= 0 && (*at)[0] < film.width() && (*at)[1] < film.height())
+        out.probe = {*at, shownAt(film, backdrop, mask, (*at)[0], (*at)[1])};
     if (isSurfaceChannel(settings.channel)) return paintSurfaces(film, mask, out);
     if (settings.channel != Channel::Beauty) return paintScale(film, backdrop, mask, settings, out);
     if (!filters) return paintBeauty(film, backdrop, mask, DisplayTransform(settings.display), out);

@@ -30,6 +30,7 @@ struct PaintSettings {
     DisplaySettings display;
     Channel channel = Channel::Beauty;
     bool filtered = false;
+    std::optional<std::array<int, 2>> probe;  ///< column and row of a pixel whose light is asked for
     bool operator==(const PaintSettings&) const = default;
 };
 
@@ -41,6 +42,11 @@ struct Painting {
     bool isRough = false;   ///< guides have fewer samples than they are to have: the next call gives a better picture
     std::optional<Legend> legend;
     TileErrors errors;
+    struct Probe {
+        std::array<int, 2> pixel;
+        Rgb light;  ///< linear, before the exposure, whatever the channel
+    };
+    std::optional<Probe> probe;  ///< what was asked for, if it lies in the picture
 };
 
 class FramePainter {
