@@ -25,8 +25,12 @@ struct AdaptiveRule {
 /// `path` is noisy all over, and the variance of a pixel is known only after many samples: tiles. A picture of `classic` errs at its
 /// edges, which the samples of a pixel and its neighbours tell at once: pixels. Stratified, n samples of an edge err by n^-3/4.
 [[nodiscard]] constexpr AdaptiveRule adaptiveRule(Integrator integrator) {
-    return integrator == Integrator::Classic ? AdaptiveRule{1, 4, 64, 4, 1.5, 2} : AdaptiveRule{8, 64, 16, 16, 1, std::numeric_limits<double>::infinity()};
+    if (integrator == Integrator::Classic) return {.cell = 1, .uniform = 4, .spread = 64, .believed = 4, .fall = 1.5, .trust = 2};
+    return {.cell = 8, .uniform = 64, .spread = 16, .believed = 16, .fall = 1, .trust = std::numeric_limits<double>::infinity()};
 }
+
+/// Most that nextGoals() takes for a cell [bytes].
+inline constexpr double kBytesACell = 48;
 
 /// Goals for the next stage of a render; together they take about `spp` samples a pixel at most. A pure function of the film, in
 /// which every cell that `rect` touches has reached its goal of the stage before (or has no samples); so the course of a render does

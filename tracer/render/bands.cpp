@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/render/adaptive.h"
 #include "tracer/render/film.h"
 #include "tracer/render/stop_rule.h"
 
@@ -55,9 +56,11 @@ struct Whole {
 
 Result<int> rowsAtOnce(const RenderScene& scene, const RenderRequest& request, double bytes) {
     const PixelRect rect = rectOf(scene, request);
-    // The picture, and its planes or bytes for the file; of the part that is rendered, the film; layers are as large as the picture.
+    // The picture, and its planes or bytes for the file; of the part that is rendered, the film; layers and goals are as large as the picture.
     constexpr double kPicture = 2 * 3 * sizeof(float), kFilm = Film::kBytesAPixel, kLayers = 300;
-    const double picture = (kPicture + (request.layers ? kLayers : 0)) * scene.film.width * scene.film.height;
+    const int cell = adaptiveRule(scene.settings.integrator).cell;
+    const double goals = samplesAdaptively(scene.settings) ? kBytesACell / (cell * cell) : 0;
+    const double picture = (kPicture + (request.layers ? kLayers : 0) + goals) * scene.film.width * scene.film.height;
     const double row = kFilm * rect.width, whole = picture + row * rect.height;
     if (whole <= bytes) return rect.height;
     const bool inBands = canBeInBands(scene, request);
