@@ -53,6 +53,11 @@ TEST(EditPlan, WhatDoesNotShowKeepsAllSamples) {
     EXPECT_TRUE(keeps(stage.plan([](Scene& s) { s.editor = "{}"; })));
     EXPECT_TRUE(keeps(stage.plan([](Scene& s) { s.cameras.add({}); })));
     EXPECT_TRUE(keeps(stage.plan([](Scene& s) { s.groups.add({"Empty"}); })));
+    EXPECT_TRUE(keeps(stage.plan([&](Scene& s) {
+        Object grouped = s.objects.at(stage.ball);
+        grouped.parent = s.groups.add({"Group"});
+        s.objects.set(stage.ball, grouped);
+    })));
     EXPECT_TRUE(keeps(stage.plan([](Scene& s) { s.camera.name = "Eye"; })));
     EXPECT_TRUE(keeps(stage.plan([](Scene& s) { s.render.spp = 7, s.render.timeSeconds = 1, s.render.errorPercent = 1; })));
     EXPECT_TRUE(keeps(stage.plan([](Scene& s) { s.objects.add({.name = "Hidden", .shape = Sphere{}, .visible = false}); })));
@@ -61,6 +66,11 @@ TEST(EditPlan, WhatDoesNotShowKeepsAllSamples) {
 TEST(EditPlan, WhatShowsRestarts) {
     const Stage stage;
     EXPECT_EQ(stage.objectPlan(stage.ball, [](Object& o) { o.transform.translate.x = 1; }).kind, Kind::Restart);
+    EXPECT_EQ(stage.plan([&](Scene& s) {
+        Object grouped = s.objects.at(stage.ball);
+        grouped.parent = s.groups.add({.name = "Aside", .transform = {.translate = {1, 0, 0}}});
+        s.objects.set(stage.ball, grouped);
+    }).kind, Kind::Restart);
     EXPECT_EQ(stage.objectPlan(stage.ball, [](Object& o) { o.shape = Box{}; }).kind, Kind::Restart);
     EXPECT_EQ(stage.objectPlan(stage.ball, [](Object& o) { o.visible = false; }).kind, Kind::Restart);
     EXPECT_EQ(stage.objectPlan(stage.ball, [](Object& o) { o.emission = {1, 1, 1}; }).kind, Kind::Restart);

@@ -35,9 +35,10 @@ std::uint64_t changedMaterials(const Scene& before, const Scene& after) {
     return bits;
 }
 
-/// What counts of an object for its pixels beside light and material.
-bool sameForm(const Object& a, const Object& b) {
-    return a.shape == b.shape && a.transform == b.transform && a.parent == b.parent && a.twoSided == b.twoSided;
+/// What counts of an object for its pixels beside light and material. One that goes into a group without moving stays what it is.
+bool sameForm(const Scene& before, const Object& a, const Scene& after, const Object& b) {
+    const bool samePlace = (a.transform == b.transform && a.parent == b.parent) || worldFromObject(before, a) == worldFromObject(after, b);
+    return a.shape == b.shape && a.twoSided == b.twoSided && samePlace;
 }
 
 bool sameObjects(const Scene& before, const Scene& after, std::uint64_t& materials) {
@@ -46,7 +47,7 @@ bool sameObjects(const Scene& before, const Scene& after, std::uint64_t& materia
     Objects::forEachDifference(before.objects, after.objects, [&](ObjectId, const Object* a, const Object* b) {
         const bool shownBefore = a && isVisible(before, *a), shownAfter = b && isVisible(after, *b);
         if (!shownBefore && !shownAfter) return;
-        same = same && shownBefore && shownAfter && sameForm(*a, *b);
+        same = same && shownBefore && shownAfter && sameForm(before, *a, after, *b);
         if (same && a->material != b->material) materials |= materialBit(a->material);
     });
     return same;
