@@ -44,6 +44,7 @@ constexpr std::array kKernels = {
     Kernel{"path: all", Integrator::Path, kAllFeatures, runKernel<PathTracer<kAllFeatures>, kAllFeatures>},
     Kernel{"path: layers", Integrator::Path, kLayers, runKernel<PathTracer<kLayers>, kLayers>},
     Kernel{"path: no skips", Integrator::Path, kNoSkips, runKernel<PathTracer<kNoSkips>, kNoSkips>},
+    Kernel{"classic: mirrors", Integrator::Classic, kMirrors, runKernel<ClassicTracer<kMirrors>, kMirrors>},
     Kernel{"classic: layers", Integrator::Classic, kLayers, runKernel<ClassicTracer<kLayers>, kLayers>},
     Kernel{"classic: all", Integrator::Classic, kAllFeatures, runKernel<ClassicTracer<kAllFeatures>, kAllFeatures>},
     Kernel{"classic: no skips", Integrator::Classic, kNoSkips, runKernel<ClassicTracer<kNoSkips>, kNoSkips>},
