@@ -23,6 +23,13 @@ TEST(TileError, BoundFactorIsTheRootOfTheFDistribution) {
 
 constexpr AdaptiveRule kRule = adaptiveRule(Integrator::Path);
 
+CellGoals goalsAfter(const Film& film, std::uint32_t spp) {
+    WorkerPool pool(1);
+    CellGoals out;
+    EXPECT_TRUE(nextGoals(film, {0, 0, film.width(), film.height()}, spp, kRule, pool, {}, out));
+    return out;
+}
+
 /// Adds samples up to the goals; `valueOf(random)` draws one.
 template <class Value>
 void addUpTo(Film& film, const CellGoals& goals, test::Random& random, Value valueOf) {
@@ -53,7 +60,7 @@ Spikes adaptiveSpikes(int pictures, unsigned seed) {
     Spikes out;
     for (int i = 0; i < pictures; ++i) {
         Film film(kSize, kSize);
-        for (int stage = 0; stage < 13; ++stage) addUpTo(film, nextGoals(film, {0, 0, kSize, kSize}, 1u << 20, kRule), random, spikes);
+        for (int stage = 0; stage < 13; ++stage) addUpTo(film, goalsAfter(film, 1u << 20), random, spikes);
         out.mean += meanOf(film) / pictures;
     }
     out.sigma = 20 * std::sqrt(1e-3 / (64.0 * kSize * kSize * pictures));
@@ -82,7 +89,7 @@ TEST(Adaptive, SpendsSamplesWhereTheErrorIs) {
         std::uint64_t samples = 0;
         CellGoals goals{kSize, 1, {256}};
         while (samples < 256 * kSize * kSize) {
-            if (adaptive) goals = nextGoals(film, {0, 0, kSize, kSize}, 256, kRule);
+            if (adaptive) goals = goalsAfter(film, 256);
             samples = 0;
             for (int y = 0; y < kSize; ++y)
                 for (int x = 0; x < kSize; ++x) {
@@ -101,7 +108,7 @@ TEST(Adaptive, CountsArePowersOfTwoAndNoneFallsBehind) {
     Film film(64, 40);
     test::Random random(5);
     for (int stage = 0; stage < 30; ++stage) {
-        const auto goals = nextGoals(film, {0, 0, 64, 40}, 1u << 20, kRule);
+        const auto goals = goalsAfter(film, 1u << 20);
         const auto [least, most] = std::minmax_element(goals.samples.begin(), goals.samples.end());
         EXPECT_LE(*most, 2 * kRule.spread * *least);
         for (const std::uint32_t goal : goals.samples) EXPECT_EQ(goal & (goal - 1), 0u);

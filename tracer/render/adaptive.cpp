@@ -1,6 +1,7 @@
 #include "tracer/render/adaptive.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,34 @@ double smoothedVariance(const std::vector<CellState>& cells, int columns, std::s
     return count ? sum / count : 0;
 }
 
+/// A cell that may get samples: what they cost, and what each gains.
+struct Offer {
+    double gain, cost;
+    std::uint32_t cell;
+    [[nodiscard]] bool operator<(const Offer& other) const { return gain != other.gain ? gain > other.gain : cell < other.cell; }
+};
+
+/// Brings the best to the front, as many as it takes to spend `budget` or all, and answers how many. Takes time in proportion to their
+/// number, not that of sorting them.
+std::size_t takeBest(std::vector<Offer>& offers, double budget) {
+    if (!(budget > 0)) return 0;
+    std::size_t low = 0, high = offers.size();
+    const auto at = [&](std::size_t i) { return offers.begin() + static_cast<std::ptrdiff_t>(i); };
+    for (double spent = 0; low < high;) {
+        const std::size_t middle = low + (high - low) / 2;
+        std::nth_element(at(low), at(middle), at(high));
+        double cost = 0;
+        for (std::size_t i = low; i <= middle; ++i) cost += offers[i].cost;
+        if (spent + cost < budget) {
+            spent += cost;
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return std::min(low + 1, offers.size());
+}
+
 }  // namespace
 
 CellGoals goalsReached(const Film& film, const AdaptiveRule& rule) {
@@ -64,49 +93,65 @@ CellGoals goalsReached(const Film& film, const AdaptiveRule& rule) {
     return out;
 }
 
-CellGoals nextGoals(const Film& film, const PixelRect& rect, std::uint32_t spp, const AdaptiveRule& rule) {
+bool nextGoals(const Film& film, const PixelRect& rect, std::uint32_t spp, const AdaptiveRule& rule, WorkerPool& pool, const CancelToken& cancel, CellGoals& out) {
     CellGoals goals = cellsOf(film, rule);
+    const auto columns = static_cast<std::size_t>(goals.columns);
     std::vector<CellState> cells(goals.samples.size());
-    std::vector<std::uint32_t> order;  // of the cells that lie in the rectangle
+    std::atomic<bool> complete{true};  // Only a flag, read when all workers have ended: relaxed.
+    const auto eachCell = [&](const auto& visit) {
+        pool.run(static_cast<int>(cells.size() / columns), [&](int, int row) {
+            if (cancel.cancelled()) return complete.store(false, std::memory_order_relaxed);
+            for (std::size_t i = static_cast<std::size_t>(row) * columns, end = i + columns; i < end; ++i) visit(i);
+        });
+        return complete.load(std::memory_order_relaxed);
+    };
+    if (!eachCell([&](std::size_t i) { cells[i] = stateOf(film, rect, rule.cell, static_cast<int>(i % columns), static_cast<int>(i / columns)); })) return false;
+    std::vector<std::uint32_t> inRect;
+    inRect.reserve(cells.size());
     std::uint32_t least = std::numeric_limits<std::uint32_t>::max(), most = 0;
     double total = 0, pixels = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        CellState& cell = cells[i] = stateOf(film, rect, rule.cell, static_cast<int>(i) % goals.columns, static_cast<int>(i) / goals.columns);
+        const CellState& cell = cells[i];
         goals.samples[i] = cell.samples;
         if (cell.pixels == 0) continue;
-        order.push_back(static_cast<std::uint32_t>(i));
+        inRect.push_back(static_cast<std::uint32_t>(i));
         least = std::min(least, cell.samples);
         most = std::max(most, cell.samples);
         total += static_cast<double>(cell.samples) * cell.pixels;
         pixels += cell.pixels;
     }
-    if (order.empty()) return goals;
+    out = std::move(goals);
+    if (inRect.empty()) return true;
     if (least < rule.uniform) {
-        for (const std::uint32_t i : order) goals.samples[i] = std::max(goals.samples[i], std::min({rule.uniform, spp, least == 0 ? 1 : 2 * least}));
-        return goals;
+        for (const std::uint32_t i : inRect) out.samples[i] = std::max(out.samples[i], std::min({rule.uniform, spp, least == 0 ? 1 : 2 * least}));
+        return true;
     }
     std::vector<double> gain(cells.size());
-    for (const std::uint32_t i : order) {
+    const auto findGain = [&](std::size_t i) {
+        if (cells[i].pixels == 0) return;
         const double own = cells[i].freedom / (cells[i].freedom + rule.trust);
-        const double variance = own * cells[i].variance + (1 - own) * smoothedVariance(cells, goals.columns, i);
+        const double variance = own * cells[i].variance + (1 - own) * smoothedVariance(cells, static_cast<int>(columns), i);
         gain[i] = variance / std::pow(cells[i].samples, 1 + rule.fall);
-    }
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return gain[a] > gain[b]; });
-    const double budget = std::min(total / 4, spp * pixels - total);
-    double cost = 0;
-    for (const std::uint32_t i : order) {
-        const CellState& cell = cells[i];
-        const bool behind = cell.samples < most / rule.spread;
-        const bool mayLead = cell.samples < static_cast<std::uint64_t>(least) * rule.spread;
-        if (!behind && (cost >= budget || !mayLead)) continue;
-        goals.samples[i] = 2 * cell.samples;
-        cost += static_cast<double>(cell.samples) * cell.pixels;
-    }
+    };
+    if (!eachCell(findGain)) return false;
+    const auto isBehind = [&](std::uint32_t i) { return cells[i].samples < most / rule.spread; };
+    const auto mayLead = [&](std::uint32_t i) { return cells[i].samples < static_cast<std::uint64_t>(least) * rule.spread; };
+    std::vector<Offer> offers;
+    offers.reserve(inRect.size());
+    for (const std::uint32_t i : inRect)
+        if (isBehind(i) || mayLead(i)) offers.push_back({gain[i], static_cast<double>(cells[i].samples) * cells[i].pixels, i});
+    const std::size_t taken = takeBest(offers, std::min(total / 4, spp * pixels - total));
+    bool goesOn = false;
+    for (std::size_t k = 0; k < offers.size(); ++k)
+        if (const std::uint32_t i = offers[k].cell; k < taken || isBehind(i)) {
+            out.samples[i] = 2 * cells[i].samples;
+            goesOn = true;
+        }
     // Where all that would gain is as far ahead as it may be, the rest catches up.
-    if (cost == 0)
-        for (const std::uint32_t i : order)
-            if (cells[i].samples == least) goals.samples[i] = 2 * least;
-    return goals;
+    if (!goesOn)
+        for (const std::uint32_t i : inRect)
+            if (cells[i].samples == least) out.samples[i] = 2 * least;
+    return true;
 }
 
 }  // namespace glint

@@ -7,6 +7,7 @@
 
 #include "tracer/render/film.h"
 #include "tracer/render/sample_goal.h"
+#include "tracer/render/worker_pool.h"
 #include "tracer/scene/scene.h"
 
 namespace glint {
@@ -30,16 +31,16 @@ struct AdaptiveRule {
 }
 
 /// Most that nextGoals() takes for a cell [bytes].
-inline constexpr double kBytesACell = 48;
+inline constexpr double kBytesACell = 72;
 
-/// Goals for the next stage of a render; together they take about `spp` samples a pixel at most. A pure function of the film, in
+/// Finds the goals for the next stage of a render; false when cancelled: `out` is then of no use. Together they take about `spp` samples a pixel at most. A pure function of the film, in
 /// which every cell that `rect` touches has reached its goal of the stage before (or has no samples); so the course of a render does
 /// not depend on threads or timing.
 ///
 /// Up to AdaptiveRule::uniform samples all cells go together. Then each stage doubles the cells where that lowers the squared error
 /// of the picture most for its cost, in order of (variance of a sample) / samples^(1 + fall), until a stage costs a quarter of all
 /// samples so far.
-[[nodiscard]] CellGoals nextGoals(const Film& film, const PixelRect& rect, std::uint32_t spp, const AdaptiveRule& rule);
+bool nextGoals(const Film& film, const PixelRect& rect, std::uint32_t spp, const AdaptiveRule& rule, WorkerPool& pool, const CancelToken& cancel, CellGoals& out);
 
 /// The samples that the cells of a film have.
 [[nodiscard]] CellGoals goalsReached(const Film& film, const AdaptiveRule& rule);

@@ -195,28 +195,32 @@ double LivingPicture::remainingSeconds() const {
     return picture_.spp == 0 ? kInfinity : glint::remainingSeconds(rules(), progress(), picture_.trend);
 }
 
-/// Passes at full resolution double until they take `seconds`.
-SampleGoal LivingPicture::nextGoal(double seconds) {
-    if (picture_.spp == 0) return {};
+/// Passes at full resolution double until they take `seconds`. Nothing when cancelled.
+std::optional<SampleGoal> LivingPicture::nextGoal(double seconds, const CancelToken& cancel) {
+    if (picture_.spp == 0) return SampleGoal{};
     const double affordable = seconds * samplesPerSecond_ / std::max(1.0, pendingPixels_);
     const auto most = static_cast<std::uint32_t>(std::clamp(static_cast<int>(std::min(affordable, 1e6)), 1, std::max(1, picture_.spp)));
     const auto spp = static_cast<std::uint32_t>(rules().spp);
-    if (!samplesAdaptively(rules())) return {.samples = std::min(spp, static_cast<std::uint32_t>(picture_.spp) + most)};
-    if (picture_.goals.empty()) picture_.goals = nextGoals(picture_.film, workRect(), spp, adaptiveRule(rules().integrator));
-    return {.cells = &picture_.goals, .most = most};
+    if (!samplesAdaptively(rules())) return SampleGoal{.samples = std::min(spp, static_cast<std::uint32_t>(picture_.spp) + most)};
+    if (picture_.goals.empty() && !nextGoals(picture_.film, workRect(), spp, adaptiveRule(rules().integrator), pool_, cancel, picture_.goals)) {
+        picture_.goals = {};
+        return std::nullopt;
+    }
+    return SampleGoal{.cells = &picture_.goals, .most = most};
 }
 
 PassResult LivingPicture::render(const PassTimes& times, const CancelToken& cancel) {
     // A first pass that was cut short may have to be a coarser one.
     if (firstPassPending_ && picture_.spp == 0) picture_.stride = strideFor(times.first);
-    const SampleGoal goal = nextGoal(times.full);
+    const std::optional<SampleGoal> goal = nextGoal(times.full, cancel);
+    if (!goal) return PassResult::Cancelled;
     const RayCounts before = picture_.counts.rays;
     const auto start = Clock::now();
-    const PassResult result = scheduler_.renderPass(*picture_.scene, picture_.film, nullptr, workRect(), picture_.stride, goal, cancel, picture_.counts);
+    const PassResult result = scheduler_.renderPass(*picture_.scene, picture_.film, nullptr, workRect(), picture_.stride, *goal, cancel, picture_.counts);
     const double took = secondsSince(start);
     picture_.seconds += took;
     measure(before, took);
-    if (result == PassResult::Done) passDone(goal);
+    if (result == PassResult::Done) passDone(*goal);
     return result;
 }
 

@@ -73,7 +73,7 @@ class LivingPicture {
     [[nodiscard]] bool onlySizeDiffers(const Scene& next) const;
 
     [[nodiscard]] int strideFor(double seconds) const;
-    [[nodiscard]] SampleGoal nextGoal(double seconds);
+    [[nodiscard]] std::optional<SampleGoal> nextGoal(double seconds, const CancelToken& cancel);
     void passDone(const SampleGoal& goal);
     void measure(const RayCounts& before, double took);
 

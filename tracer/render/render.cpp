@@ -109,7 +109,7 @@ class HeadlessRender {
         const int done = errors_.leastSamples, most = samplesInPass();
         SampleGoal goal;
         if (samplesAdaptively(scene_.settings)) {
-            if (goals_.empty()) goals_ = nextGoals(film_, rect_, static_cast<std::uint32_t>(scene_.settings.spp), adaptiveRule(scene_.settings.integrator));
+            if (goals_.empty()) nextGoals(film_, rect_, static_cast<std::uint32_t>(scene_.settings.spp), adaptiveRule(scene_.settings.integrator), pool_, {}, goals_);
             goal = {.cells = &goals_, .most = static_cast<std::uint32_t>(most)};
         } else {
             goal.samples = static_cast<std::uint32_t>(std::min(scene_.settings.spp, done + most));
