@@ -53,6 +53,7 @@ void PropertyPanel::showMaterial(MaterialId material) {
 
 std::vector<std::size_t> PropertyPanel::structure() const {
     const Scene& scene = document_.scene();
+    enum About : std::size_t { kNothing, kMaterial, kItems };
     std::vector<std::size_t> out;
     const auto addMaterialKinds = [&](const std::vector<std::uint32_t>& materials) {
         for (const std::uint32_t id : materials) out.insert(out.end(), {id, scene.materials.at(MaterialId{id}).value.index()});
@@ -60,12 +61,14 @@ std::vector<std::size_t> PropertyPanel::structure() const {
         out.insert(out.end(), textures.begin(), textures.end());
     };
     if (selection_.isEmpty()) {
-        if (scene.materials.find(material_)) addMaterialKinds({material_.value});
+        if (!scene.materials.find(material_)) return {kNothing};
+        out.push_back(kMaterial);
+        addMaterialKinds({material_.value});
         return out;
     }
     const ItemKind kind = selection_.items().back().kind;
     const std::vector<std::uint32_t> ids = selectedIds(selection_);
-    out.insert(out.end(), {static_cast<std::size_t>(kind), scene.textures.size(), ids.size()});
+    out.insert(out.end(), {kItems, static_cast<std::size_t>(kind), scene.textures.size(), ids.size()});
     for (const std::uint32_t id : ids) {
         out.push_back(id);
         if (kind == ItemKind::Object) out.push_back(scene.objects.at(ObjectId{id}).shape.index());

@@ -27,7 +27,10 @@ bool Eyedropper::eventFilter(QObject* watched, QEvent* event) {
         if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape) return false;
         // Accepted, it comes back as a key: Esc is a shortcut of the window's as well.
         event->accept();
-        if (event->type() == QEvent::KeyPress) deleteLater();
+        if (event->type() == QEvent::KeyPress) {
+            end();
+            deleteLater();
+        }
         return true;
     }
     if (event->type() != QEvent::MouseButtonPress || !watched->isWidgetType()) return false;
