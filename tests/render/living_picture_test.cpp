@@ -78,7 +78,7 @@ std::optional<std::pair<int, int>> firstDifference(const Film& a, const Film& b)
     for (int y = 0; y < a.height(); ++y)
         for (int x = 0; x < a.width(); ++x) {
             const FilmPixel p = a.at(x, y), q = b.at(x, y);
-            if (p.sumA != q.sumA || p.sumB != q.sumB || p.samples != q.samples || p.materials != q.materials) return std::pair{x, y};
+            if (p.sumA != q.sumA || p.sumB != q.sumB || p.samples != q.samples || a.materials(x, y) != b.materials(x, y)) return std::pair{x, y};
         }
     return std::nullopt;
 }

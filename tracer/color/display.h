@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "tracer/color/rgb.h"
 #include "tracer/scene/scene.h"
@@ -25,6 +26,8 @@ class DisplayTransform {
     explicit DisplayTransform(const DisplaySettings& settings);
     /// 0xffRRGGBB. Not-a-number shows as magenta, so that it cannot hide.
     [[nodiscard]] std::uint32_t apply(const Rgb& linear) const;
+    /// The same for many; both of the same length.
+    void apply(std::span<const Rgb> linear, std::span<std::uint32_t> out) const;
     /// The same as 16-bit codes, each the nearest.
     [[nodiscard]] std::array<std::uint16_t, 3> apply16(const Rgb& linear) const;
 

@@ -13,20 +13,12 @@ FilmPixel Backdrop::at(int x, int y, int width, int height) const {
 Rgb shownAt(const Film& film, const Backdrop* backdrop, int mask, int x, int y) {
     const FilmPixel own = film.at(x, y);
     const int gridX = x & mask, gridY = y & mask;
-    if (!backdrop) return own.samples ? own.mean() : film.at(gridX, gridY).mean();
-    if (backdrop->retraced) {
-        if (own.samples) return own.mean();
-        // The grid's pixel stands for this one if it was traced anew as well.
-        const bool alike = backdrop->film.materials(gridX, gridY) & backdrop->retraced;
-        return alike && film.samples(gridX, gridY) ? film.at(gridX, gridY).mean() : backdrop->film.at(x, y).mean();
-    }
-    FilmPixel old = backdrop->at(x, y, film.width(), film.height());
-    if (old.samples == 0) return own.samples ? own.mean() : film.at(gridX, gridY).mean();
-    if (own.samples >= old.samples) return own.mean();
-    old.sumA += own.sumA;
-    old.sumB += own.sumB;
-    old.samples += own.samples;
-    return old.mean();
+    const FilmPixel old = backdrop ? backdrop->at(x, y, film.width(), film.height()) : FilmPixel{};
+    if (old.samples > own.samples) return FilmPixel{own.sumA + old.sumA, own.sumB + old.sumB, own.samples + old.samples}.mean();
+    if (own.samples) return own.mean();
+    if (film.remembering() && !film.isAnew(gridX, gridY))
+        if (const std::optional<Rgb> before = film.remembered(x, y)) return *before;
+    return film.at(gridX, gridY).mean();
 }
 
 }  // namespace glint

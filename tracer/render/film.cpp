@@ -1,19 +1,24 @@
 #include "tracer/render/film.h"
 
 #include <algorithm>
+#include <atomic>
+#include <new>
+#include <type_traits>
 #include <utility>
 
 namespace glint {
 
 Film::Film(int width, int height, std::size_t groups) : width_(width), height_(height), groups_(groups) {
     tiles_.resize(static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows()));
+    memory_ = std::make_shared<BlockPool>(tileBytes(), tiles_.size());
 }
 
 std::shared_ptr<Film::Tile> Film::newTile() const {
-    static_assert(sizeof(Tile::generation) + sizeof(Tile::sums) == kBytesAPixel * kPixels);
-    auto tile = std::make_shared_for_overwrite<Tile>();
-    if (groups_ > 1) tile->light = std::make_unique_for_overwrite<Vec3[]>(kPixels * 2 * groups_);
-    return tile;
+    static_assert(sizeof(Tile::generation) + sizeof(Tile::materials) + sizeof(Tile::sums) == kBytesAPixel * kPixels);
+    static_assert(std::is_trivially_destructible_v<Tile>);
+    auto* const tile = new (memory_->take()) Tile;
+    tile->light = groups_ > 1 ? new (tile + 1) Vec3[lightCount()] : nullptr;
+    return {tile, [memory = memory_](Tile* done) { memory->give(done); }};
 }
 
 Film::Tile& Film::own(std::size_t index) {
@@ -23,8 +28,9 @@ Film::Tile& Film::own(std::size_t index) {
     } else if (tile.use_count() > 1) {
         const std::shared_ptr<Tile> shared = std::exchange(tile, newTile());
         tile->generation = shared->generation;
+        tile->materials = shared->materials;
         tile->sums = shared->sums;
-        if (groups_ > 1) std::copy_n(shared->light.get(), kPixels * 2 * groups_, tile->light.get());
+        std::copy_n(shared->light, lightCount(), tile->light);
     }
     return *tile;
 }
@@ -33,9 +39,10 @@ void Film::add(int x, int y, const Rgb& value, const GroupLight& groups, std::ui
     Tile& tile = own(tileOf(x, y));
     const std::size_t place = placeOf(x, y);
     Sums& sums = tile.sums[place];
-    Vec3* light = tile.light.get() + place * 2 * groups_;
-    if (tile.generation[place] != generation_) {
-        sums = {DVec3(0.0), DVec3(0.0), 0, 0, 0};
+    Vec3* light = tile.light + place * 2 * groups_;
+    if (!holds(tile.generation[place])) {
+        sums = {DVec3(0.0), DVec3(0.0), 0, 0};
+        tile.materials[place] = 0;
         tile.generation[place] = generation_;
         if (groups_ > 1) std::fill_n(light, 2 * groups_, Vec3(0.0f));
     }
@@ -47,7 +54,7 @@ void Film::add(int x, int y, const Rgb& value, const GroupLight& groups, std::ui
         sums.squaresA += size * size;
     }
     (isA ? sums.a : sums.b) += toDouble(value);
-    sums.materials |= materials;
+    tile.materials[place] |= materials;
     ++sums.samples;
 }
 
@@ -58,9 +65,9 @@ HalfMoments Film::momentsA(int x, int y) const {
 }
 
 FilmPixel Film::mixed(const Sums& sums, int x, int y) const {
-    if (groups_ == 1) return {mix_.gain[0] * sums.a, mix_.gain[0] * sums.b, sums.materials, sums.samples};
-    FilmPixel out{DVec3(0.0), DVec3(0.0), sums.materials, sums.samples};
-    const Vec3* light = tiles_[tileOf(x, y)]->light.get() + placeOf(x, y) * 2 * groups_;
+    if (groups_ == 1) return {mix_.gain[0] * sums.a, mix_.gain[0] * sums.b, sums.samples};
+    FilmPixel out{DVec3(0.0), DVec3(0.0), sums.samples};
+    const Vec3* light = tiles_[tileOf(x, y)]->light + placeOf(x, y) * 2 * groups_;
     for (std::size_t g = 0; g < groups_; ++g) {
         out.sumA += mix_.gain[g] * toDouble(light[g]);
         out.sumB += mix_.gain[g] * toDouble(light[groups_ + g]);
@@ -70,7 +77,8 @@ FilmPixel Film::mixed(const Sums& sums, int x, int y) const {
 
 void Film::clear(const PixelRect& rect) {
     if (rect == PixelRect{0, 0, width_, height_}) {
-        ++generation_;
+        oldest_ = ++generation_;
+        remembering_ = 0;
         // What copies hold is theirs now: it would be copied only to be overwritten.
         for (std::shared_ptr<Tile>& tile : tiles_)
             if (tile.use_count() > 1) tile.reset();
@@ -81,29 +89,42 @@ void Film::clear(const PixelRect& rect) {
             if (find(x, y)) own(tileOf(x, y)).generation[placeOf(x, y)] = 0;
 }
 
-std::size_t Film::forget(std::uint64_t materials, int tileRow) {
+std::size_t Film::forget(std::uint64_t materials, WorkerPool& pool) {
+    static std::atomic<std::uint64_t> count{0};  // Only to be unique: relaxed.
+    if (!remembering_) {
+        ++generation_;
+        remembering_ = count.fetch_add(1, std::memory_order_relaxed) + 1;
+    }
+    std::atomic<std::size_t> forgotten{0};  // Only a sum, read when all workers have ended: relaxed.
+    pool.run(rows(), [&](int, int row) { forgotten.fetch_add(forgetRow(materials, row), std::memory_order_relaxed); });
+    return forgotten;
+}
+
+std::size_t Film::forgetRow(std::uint64_t materials, int tileRow) {
     std::size_t forgotten = 0;
     for (std::size_t index = static_cast<std::size_t>(tileRow) * static_cast<std::size_t>(columns()); index < static_cast<std::size_t>(tileRow + 1) * static_cast<std::size_t>(columns()); ++index) {
-        if (!tiles_[index]) continue;
-        std::array<bool, kPixels> rests{};
-        std::size_t count = 0, present = 0;
-        for (std::size_t i = 0; i < kPixels; ++i) {
-            if (tiles_[index]->generation[i] != generation_) continue;
-            ++present;
-            rests[i] = tiles_[index]->sums[i].materials & materials;
-            count += rests[i];
+        const Tile* tile = tiles_[index].get();
+        if (!tile) continue;
+        const auto isAffected = [&](std::size_t i) { return holds(tile->generation[i]) && (tile->materials[i] & materials); };
+        std::size_t i = 0;
+        while (i < kPixels && !isAffected(i)) ++i;
+        if (i == kPixels) continue;
+        Tile& changed = own(index);
+        tile = &changed;
+        for (; i < kPixels; ++i) {
+            if (!isAffected(i)) continue;
+            changed.generation[i] |= kForgotten;
+            ++forgotten;
         }
-        forgotten += count;
-        if (count == 0) continue;
-        if (count == present) {
-            tiles_[index].reset();
-            continue;
-        }
-        Tile& tile = own(index);
-        for (std::size_t i = 0; i < kPixels; ++i)
-            if (rests[i]) tile.generation[i] = 0;
     }
     return forgotten;
+}
+
+std::optional<Rgb> Film::remembered(int x, int y) const {
+    const Tile* tile = tiles_[tileOf(x, y)].get();
+    const std::size_t place = placeOf(x, y);
+    if (!remembering_ || !tile || !(tile->generation[place] & kForgotten) || !holds(tile->generation[place] & ~kForgotten)) return std::nullopt;
+    return pixelOf(tile->sums[place], x, y).mean();
 }
 
 void Film::setMix(const LightMix& mix) {
@@ -113,7 +134,7 @@ void Film::setMix(const LightMix& mix) {
 
 std::size_t Film::bytes() const {
     const auto present = static_cast<std::size_t>(std::count_if(tiles_.begin(), tiles_.end(), [](const auto& tile) { return tile != nullptr; }));
-    return present * (sizeof(Tile) + (groups_ > 1 ? kPixels * 2 * groups_ * sizeof(Vec3) : 0)) + tiles_.size() * sizeof(tiles_[0]);
+    return present * tileBytes() + tiles_.size() * sizeof(tiles_[0]);
 }
 
 Image Film::image() const {
@@ -123,13 +144,23 @@ Image Film::image() const {
     return out;
 }
 
+void Film::means(int x, int y, std::span<Rgb> out) const {
+    for (std::size_t i = 0; i < out.size();) {
+        const int at = x + static_cast<int>(i);
+        const std::size_t end = std::min(out.size(), i + static_cast<std::size_t>(kTile - at % kTile)), place = placeOf(at, y) - i;
+        const Tile* tile = tiles_[tileOf(at, y)].get();
+        for (; i < end; ++i)
+            out[i] = tile && holds(tile->generation[place + i]) ? pixelOf(tile->sums[place + i], x + static_cast<int>(i), y).mean() : Rgb(0.0f);
+    }
+}
+
 void Film::paint(const PixelRect& rect, Image& picture) const {
+    std::vector<Rgb> row(static_cast<std::size_t>(rect.width));
     for (int y = rect.y; y < rect.y + rect.height; ++y) {
+        means(rect.x, y, row);
         float* to = &picture.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(rect.x))];
-        for (int x = rect.x; x < rect.x + rect.width; ++x) {
-            const Rgb mean = at(x, y).mean();
+        for (const Rgb& mean : row)
             for (const float value : {mean.x, mean.y, mean.z}) *to++ = value;
-        }
     }
 }
 

@@ -7,19 +7,22 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "tracer/base/block_pool.h"
 #include "tracer/color/rgb.h"
 #include "tracer/io/image_file.h"
 #include "tracer/render/kernel.h"
 #include "tracer/render/render.h"
+#include "tracer/render/worker_pool.h"
 
 namespace glint {
 
 /// Sums in double of one pixel: half A holds the even samples, half B the odd ones. They are scrambled independently.
 struct FilmPixel {
     DVec3 sumA{0.0}, sumB{0.0};
-    std::uint64_t materials = 0;   ///< set of the materials that the samples rest on, see materialBit()
     std::uint32_t samples = 0;
 
     /// Mean of all samples; black without any.
@@ -48,17 +51,16 @@ class Film {
     /// The pixel, its sums mixed: a value, because a mix is made when it is asked for.
     [[nodiscard]] FilmPixel at(int x, int y) const {
         const Sums* sums = find(x, y);
-        if (!sums) return {};
-        return isMixed_ ? mixed(*sums, x, y) : FilmPixel{sums->a, sums->b, sums->materials, sums->samples};
+        return sums ? pixelOf(*sums, x, y) : FilmPixel{};
     }
     /// Without the work of mixing.
     [[nodiscard]] std::uint32_t samples(int x, int y) const {
         const Sums* sums = find(x, y);
         return sums ? sums->samples : 0;
     }
+    /// The set of the materials that the pixel's samples rest on, see materialBit().
     [[nodiscard]] std::uint64_t materials(int x, int y) const {
-        const Sums* sums = find(x, y);
-        return sums ? sums->materials : 0;
+        return find(x, y) ? tiles_[tileOf(x, y)]->materials[placeOf(x, y)] : 0;
     }
     /// Unmixed.
     [[nodiscard]] HalfMoments momentsA(int x, int y) const;
@@ -67,8 +69,22 @@ class Film {
     void add(int x, int y, const Rgb& value, const GroupLight& light, std::uint64_t materials);
     /// Takes the samples of a rectangle away.
     void clear(const PixelRect& rect);
-    /// Takes away the samples of the pixels that rest on any of `materials`, in one row of tiles; answers how many pixels.
-    std::size_t forget(std::uint64_t materials, int tileRow);
+    /// Takes away the samples of the pixels that rest on any of `materials`; answers how many pixels. remembered() still has their
+    /// light, until settle() or clear(): nothing is copied for it.
+    std::size_t forget(std::uint64_t materials, WorkerPool& pool);
+    /// No light is remembered any more: every pixel that was forgotten has a sample again.
+    void settle() { remembering_ = 0; }
+    /// Between the first forget() and settle(): a number that no other such time of any film has; otherwise 0.
+    [[nodiscard]] std::uint64_t remembering() const { return remembering_; }
+    /// The mean that a pixel had when it was forgotten and has had no sample since.
+    [[nodiscard]] std::optional<Rgb> remembered(int x, int y) const;
+    /// The pixel's samples were made after it had been forgotten.
+    [[nodiscard]] bool isAnew(int x, int y) const {
+        const Tile* tile = tiles_[tileOf(x, y)].get();
+        return remembering_ && tile && tile->generation[placeOf(x, y)] == generation_;
+    }
+    /// The pixel has not been forgotten since remembering() began.
+    [[nodiscard]] bool isUntouched(int x, int y) const { return find(x, y) && !isAnew(x, y); }
 
     /// Shows the light of the groups with these factors; needs groups() to be their number. Sums of groups are in float: a mix
     /// is right to some 1e-5, and the unit mix is exact.
@@ -81,6 +97,8 @@ class Film {
     [[nodiscard]] std::size_t bytes() const;
     /// Means of all pixels.
     [[nodiscard]] Image image() const;
+    /// Means of the pixels of row y from x on.
+    void means(int x, int y, std::span<Rgb> out) const;
     /// Puts the means of a rectangle into a picture of the film's size.
     void paint(const PixelRect& rect, Image& picture) const;
 
@@ -89,14 +107,15 @@ class Film {
     /// As FilmPixel, and what is asked of half A alone. Not initialised: Tile::generation says whether there is anything.
     struct Sums {
         DVec3 a, b;
-        std::uint64_t materials;
         std::uint32_t samples;
         float squaresA;  ///< sum of squares of luminance
     };
+    /// Materials lie apart: forget() reads those of every pixel and no sums.
     struct Tile {
-        std::array<std::uint32_t, kPixels> generation{};  ///< sums of another one than the film's are void
+        std::array<std::uint32_t, kPixels> generation{};  ///< when the sums were begun; those before the film's oldest are void
+        std::array<std::uint64_t, kPixels> materials;
         std::array<Sums, kPixels> sums;
-        std::unique_ptr<Vec3[]> light;  ///< sums by group: pixel x half x group; null with one group
+        Vec3* light;  ///< sums by group: pixel x half x group, right behind the tile; null with one group
     };
 
     [[nodiscard]] std::size_t tileOf(int x, int y) const {
@@ -106,18 +125,29 @@ class Film {
     [[nodiscard]] const Sums* find(int x, int y) const {
         const Tile* tile = tiles_[tileOf(x, y)].get();
         const std::size_t place = placeOf(x, y);
-        return tile && tile->generation[place] == generation_ ? &tile->sums[place] : nullptr;
+        return tile && holds(tile->generation[place]) ? &tile->sums[place] : nullptr;
     }
+    static constexpr std::uint32_t kForgotten = 1u << 31;  ///< added to a pixel's generation
+    [[nodiscard]] bool holds(std::uint32_t generation) const { return generation >= oldest_ && generation <= generation_; }
+    std::size_t forgetRow(std::uint64_t materials, int tileRow);
     /// The tile for writing: not shared with any copy.
     Tile& own(std::size_t tile);
     [[nodiscard]] std::shared_ptr<Tile> newTile() const;
+    [[nodiscard]] std::size_t tileBytes() const { return sizeof(Tile) + lightCount() * sizeof(Vec3); }
+    [[nodiscard]] std::size_t lightCount() const { return groups_ > 1 ? kPixels * 2 * groups_ : 0; }
+    [[nodiscard]] FilmPixel pixelOf(const Sums& sums, int x, int y) const {
+        return isMixed_ ? mixed(sums, x, y) : FilmPixel{sums.a, sums.b, sums.samples};
+    }
     [[nodiscard]] FilmPixel mixed(const Sums& sums, int x, int y) const;
 
     int width_ = 0, height_ = 0;
     std::size_t groups_ = 1;
-    std::uint32_t generation_ = 1;  ///< clearing the whole film is a step of this number
+    std::uint32_t generation_ = 1;  ///< of the samples to come; a step makes those before other ones
+    std::uint32_t oldest_ = 1;      ///< clearing the whole film is a step of both
+    std::uint64_t remembering_ = 0;
     bool isMixed_ = false;
     LightMix mix_;
+    std::shared_ptr<BlockPool> memory_;  ///< of the tiles, those of copies included
     std::vector<std::shared_ptr<Tile>> tiles_;
 };
 

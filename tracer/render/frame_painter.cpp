@@ -56,6 +56,23 @@ float placeOn(const Legend& legend, float value) {
 
 }  // namespace
 
+template <class PaintRow>
+bool FramePainter::eachRow(const Film& film, int stride, PaintRow&& paintRow, Painting& out) {
+    const int width = film.width(), height = film.height(), rows = std::max(kBandRows, stride);
+    out.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    const auto rowOf = [&](int y) { return std::span(out.pixels).subspan(static_cast<std::size_t>(y) * static_cast<std::size_t>(width), static_cast<std::size_t>(width)); };
+    std::atomic<bool> complete{true};  // Only a flag, read when all workers have ended: relaxed.
+    pool_.run((height + rows - 1) / rows, [&](int, int band) {
+        if (cancel_.cancelled()) return complete.store(false, std::memory_order_relaxed);
+        const int end = std::min(height, (band + 1) * rows);
+        for (int y = band * rows; y < end; y += stride) {
+            paintRow(y, rowOf(y));
+            for (int copy = y + 1; copy < std::min(end, y + stride); ++copy) std::ranges::copy(rowOf(y), rowOf(copy).begin());
+        }
+    });
+    return complete.load(std::memory_order_relaxed);
+}
+
 template <class Color>
 bool FramePainter::eachPixel(const Film& film, Color&& color, Painting& out) {
     return eachBlock(film, 1, color, out);
@@ -63,33 +80,25 @@ bool FramePainter::eachPixel(const Film& film, Color&& color, Painting& out) {
 
 template <class Color>
 bool FramePainter::eachBlock(const Film& film, int stride, Color&& color, Painting& out) {
-    const int width = film.width(), height = film.height(), rows = std::max(kBandRows, stride);
-    out.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    const auto rowOf = [&](int y) { return out.pixels.data() + static_cast<std::ptrdiff_t>(y) * width; };
-    std::atomic<bool> complete{true};  // Only a flag, read when all workers have ended: relaxed.
-    pool_.run((height + rows - 1) / rows, [&](int, int band) {
-        if (cancel_.cancelled()) return complete.store(false, std::memory_order_relaxed);
-        const int end = std::min(height, (band + 1) * rows);
-        for (int y = band * rows; y < end; y += stride) {
-            std::uint32_t* row = rowOf(y);
-            for (int x = 0; x < width; x += stride) std::fill(row + x, row + std::min(x + stride, width), color(x, y));
-            for (int copy = y + 1; copy < std::min(end, y + stride); ++copy) std::copy(row, row + width, rowOf(copy));
-        }
-    });
-    return complete.load(std::memory_order_relaxed);
+    return eachRow(film, stride, [&](int y, std::span<std::uint32_t> row) {
+        for (int x = 0; x < film.width(); x += stride) std::fill(row.begin() + x, row.begin() + std::min(x + stride, film.width()), color(x, y));
+    }, out);
 }
 
 bool FramePainter::paint(const std::shared_ptr<const RenderScene>& scene, const Film& film, const Backdrop* backdrop, int stride,
                          const TileErrors& errors, const PaintSettings& settings, const CancelToken& cancel, Painting& out) {
     cancel_ = cancel;
     out.isRough = false;
-    const bool filters = settings.filtered && settings.channel == Channel::Beauty && stride == 1;
+    const bool filters = settings.filtered && settings.channel == Channel::Beauty && stride == 1 && !film.remembering();
     if (filters || isSurfaceChannel(settings.channel)) {
         // The first look is a quick one.
         const std::uint32_t known = guides_.samplesOf(scene, film.width(), film.height()), samples = stride == 1 && known > 0 ? GuideFilm::kSamples : 1;
         if (!guides_.refine(scene, film.width(), film.height(), stride, samples, cancel, pool_)) return false;
         out.isRough = stride == 1 && samples < GuideFilm::kSamples;
     }
+    const Painting::Base base{settings.channel == Channel::Beauty ? film.remembering() : 0, film.mix(), settings.display};
+    const bool stays = base.remembering != 0 && out.base == base;
+    out.base = {};
     out.channel = settings.channel;
     out.filtered = filters;
     out.legend.reset();
@@ -100,16 +109,37 @@ bool FramePainter::paint(const std::shared_ptr<const RenderScene>& scene, const 
         out.probe = {*at, shownAt(film, backdrop, mask, (*at)[0], (*at)[1])};
     if (isSurfaceChannel(settings.channel)) return paintSurfaces(film, mask, out);
     if (settings.channel != Channel::Beauty) return paintScale(film, backdrop, mask, settings, out);
-    if (!filters) return paintBeauty(film, backdrop, mask, DisplayTransform(settings.display), out);
-    if (!filter_.run(film, guides_, pool_, cancel, filteredLight_)) return false;
     const DisplayTransform transform(settings.display);
+    if (!filters) {
+        if (!paintBeauty(film, backdrop, mask, stays, transform, out)) return false;
+        out.base = base;
+        return true;
+    }
+    if (!filter_.run(film, guides_, pool_, cancel, filteredLight_)) return false;
     const auto width = static_cast<std::size_t>(film.width());
-    return eachPixel(film, [&](int x, int y) { return transform.apply(filteredLight_[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)]); }, out);
+    return eachRow(film, 1, [&](int y, std::span<std::uint32_t> row) { transform.apply(std::span(filteredLight_).subspan(static_cast<std::size_t>(y) * width, width), row); }, out);
 }
 
-bool FramePainter::paintBeauty(const Film& film, const Backdrop* backdrop, int mask, const DisplayTransform& transform, Painting& out) {
+bool FramePainter::paintBeauty(const Film& film, const Backdrop* backdrop, int mask, bool untouchedStay, const DisplayTransform& transform, Painting& out) {
     if (backdrop) return eachPixel(film, [&](int x, int y) { return transform.apply(shownAt(film, backdrop, mask, x, y)); }, out);
-    return eachBlock(film, -mask, [&](int x, int y) { return transform.apply(film.at(x, y).mean()); }, out);
+    if (film.remembering())
+        return eachRow(film, 1, [&](int y, std::span<std::uint32_t> row) {
+            std::optional<std::uint32_t> grid;  // The colour of all of a block's pixels that wait for their sample.
+            for (int x = 0; x < film.width(); ++x) {
+                if ((x & ~mask) == 0) grid = film.isAnew(x, y & mask) ? std::optional(transform.apply(film.at(x, y & mask).mean())) : std::nullopt;
+                if (untouchedStay && film.isUntouched(x, y)) continue;
+                row[static_cast<std::size_t>(x)] = grid && film.samples(x, y) == 0 ? *grid : transform.apply(shownAt(film, nullptr, mask, x, y));
+            }
+        }, out);
+    if (mask != -1) return eachBlock(film, -mask, [&](int x, int y) { return transform.apply(film.at(x, y).mean()); }, out);
+    return eachRow(film, 1, [&](int y, std::span<std::uint32_t> row) {
+        std::array<Rgb, Film::kTile> means;
+        for (std::size_t x = 0; x < row.size(); x += means.size()) {
+            const std::span part = std::span(means).first(std::min(means.size(), row.size() - x));
+            film.means(static_cast<int>(x), y, part);
+            transform.apply(part, row.subspan(x, part.size()));
+        }
+    }, out);
 }
 
 bool FramePainter::paintSurfaces(const Film& film, int mask, Painting& out) {

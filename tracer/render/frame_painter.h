@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -47,6 +48,14 @@ struct Painting {
         Rgb light;  ///< linear, before the exposure, whatever the channel
     };
     std::optional<Probe> probe;  ///< what was asked for, if it lies in the picture
+
+    /// What an earlier painting has to share with the next for untouched pixels to stay. The film's remembering() is 0: nothing stays.
+    struct Base {
+        std::uint64_t remembering = 0;
+        LightMix mix;
+        DisplaySettings display;
+        bool operator==(const Base&) const = default;
+    } base;
 };
 
 class FramePainter {
@@ -61,11 +70,15 @@ class FramePainter {
                const TileErrors& errors, const PaintSettings& settings, const CancelToken& cancel, Painting& out);
 
   private:
-    bool paintBeauty(const Film& film, const Backdrop* backdrop, int mask, const DisplayTransform& transform, Painting& out);
+    bool paintBeauty(const Film& film, const Backdrop* backdrop, int mask, bool untouchedStay, const DisplayTransform& transform, Painting& out);
     bool paintSurfaces(const Film& film, int mask, Painting& out);
     bool paintErrors(const Film& film, Painting& out);
     bool paintScale(const Film& film, const Backdrop* backdrop, int mask, const PaintSettings& settings, Painting& out);
-    /// Fills the picture with color(x, y); false when cancelled.
+    /// Calls paintRow(y, its pixels) for every row of the picture, or the first of every `stride`, of which the others become copies.
+    /// False when cancelled.
+    template <class PaintRow>
+    bool eachRow(const Film& film, int stride, PaintRow&& paintRow, Painting& out);
+    /// Fills the picture with color(x, y).
     template <class Color>
     bool eachPixel(const Film& film, Color&& color, Painting& out);
     /// The same, asking one pixel of each block of stride x stride only.

@@ -85,25 +85,21 @@ bool LivingPicture::setRegion(const std::optional<PixelRect>& region) {
 /// Throws away the samples that rest on changed materials; false if the edit changed more than values.
 bool LivingPicture::retrace(const Scene& next, const EditPlan& plan) {
     const int before = picture_.spp;
-    const bool goesOn = backdrop_ && backdrop_->retraced;
-    if (before == 0 && !goesOn) return false;  // There is no picture yet to keep anything of.
+    if (before == 0 && !picture_.film.remembering()) return false;  // There is no picture yet to keep anything of.
     Scene traced = withLightsOf(picture_.traced, next);
     auto compiled = compile(traced, wish_.assetFolder, assets_, picture_.scene);
     if (!compiled.ok() || !sameStructure(*picture_.scene, *compiled.value().scene)) return false;
     picture_.traced = std::move(traced);
     adopt(std::move(compiled).value());
-    // What the last edit threw away and no pass has brought back yet is still to be shown from then.
-    if (before == 0) backdrop_->retraced |= plan.materials;
-    else backdrop_ = Backdrop{picture_.film, plan.materials};
+    backdrop_.reset();
     picture_.film.setMix(plan.mix);
-    backdrop_->film.setMix(plan.mix);
     if (samplesAdaptively(rules()) && before > 0) picture_.goals = goalsReached(picture_.film, adaptiveRule(rules().integrator));
-    std::vector<std::size_t> rows(static_cast<std::size_t>(picture_.film.rows()));
-    pool_.run(picture_.film.rows(), [&](int, int row) { rows[static_cast<std::size_t>(row)] = picture_.film.forget(plan.materials, row); });
-    std::size_t forgotten = 0;
-    for (const std::size_t count : rows) forgotten += count;
+    const std::size_t forgotten = picture_.film.forget(plan.materials, pool_);
     retracedShare_ = static_cast<double>(forgotten) / areaOf(workRect());
-    if (forgotten == 0) return true;
+    if (forgotten == 0) {
+        if (before > 0) picture_.film.settle();
+        return true;
+    }
     forgetProgress();
     pendingPixels_ = static_cast<double>(forgotten) + (before == 0 ? pendingPixels_ : 0.0);
     pendingSpp_ = std::max(pendingSpp_, before);
@@ -120,8 +116,8 @@ void LivingPicture::restart(Scene next) {
     }
     const bool sameSize = picture_.film.width() == wish_.width && picture_.film.height() == wish_.height;
     const bool resized = picture_.scene && !sameSize && onlySizeDiffers(next);
-    if (resized && picture_.shownStride == 1) backdrop_ = Backdrop{picture_.film, 0, pixelStep(next, picture_.traced)};
-    else if (resized && backdrop_ && !backdrop_->retraced) backdrop_->scale *= pixelStep(next, picture_.traced);  // Resized again before it was shown.
+    if (resized && picture_.shownStride == 1) backdrop_ = Backdrop{picture_.film, pixelStep(next, picture_.traced)};
+    else if (resized && backdrop_) backdrop_->scale *= pixelStep(next, picture_.traced);  // Resized again before it was shown.
     else backdrop_.reset();
     adopt(std::move(compiled).value());
     prepareFilm(sameSize);
@@ -232,13 +228,13 @@ void LivingPicture::passDone(const SampleGoal& goal) {
         return;
     }
     picture_.shownStride = 1;
+    if (!wish_.region) picture_.film.settle();  // Outside a region there may be pixels without samples still.
     picture_.goals = {};
     if (goal.cells) judge({});
     else picture_.spp = static_cast<int>(goal.samples);
     if (picture_.spp >= pendingSpp_) pendingPixels_ = areaOf(workRect());
     // A backdrop has served when no pixel rests on it any more.
-    if (backdrop_ && (backdrop_->retraced || isConverged() ||
-                      picture_.spp >= static_cast<int>(backdrop_->film.samples(backdrop_->film.width() / 2, backdrop_->film.height() / 2))))
+    if (backdrop_ && (isConverged() || picture_.spp >= static_cast<int>(backdrop_->film.samples(backdrop_->film.width() / 2, backdrop_->film.height() / 2))))
         backdrop_.reset();
 }
 
