@@ -41,8 +41,8 @@ TEST(ErrorRule, NeedsEnoughSamplesToBeBelieved) {
     EXPECT_TRUE(stops(16, 0));
     EXPECT_FALSE(stops(100, 0.011));
     rules.integrator = Integrator::Classic;
-    EXPECT_FALSE(stops(3, 0));
-    EXPECT_TRUE(stops(4, 0));
+    EXPECT_FALSE(stops(1, 0));
+    EXPECT_TRUE(stops(2, 0));
     rules.errorPercent = 0;
     EXPECT_FALSE(stops(100, 0)) << "no rule was set";
 }

@@ -12,6 +12,7 @@ namespace {
 struct CellState {
     double variance = 0;        ///< of one sample's luminance, told by half A
     double freedom = 0;         ///< degrees of freedom of that
+    double mean = 0;            ///< of half A
     std::uint32_t samples = 0;  ///< that every pixel has
     int pixels = 0;             ///< within the rectangle
 };
@@ -33,27 +34,37 @@ CellState stateOf(const Film& film, const PixelRect& rect, int cell, int column,
             const HalfMoments half = film.momentsA(x, y);
             least = std::min(least, film.samples(x, y));
             ++out.pixels;
+            if (half.samples > 0) out.mean += half.sum / half.samples;
             if (half.samples < 2) continue;
             squares += std::max(0.0, half.squares - half.sum * half.sum / half.samples);
             out.freedom += half.samples - 1;
         }
     out.samples = out.pixels ? least : 0;
     out.variance = out.freedom > 0 ? squares / out.freedom : 0;
+    if (out.pixels) out.mean /= out.pixels;
     return out;
 }
 
-/// The mean variance of 3 x 3 cells, of those that lie in the rectangle.
-double smoothedVariance(const std::vector<CellState>& cells, int columns, std::size_t i) {
+/// What 3 x 3 cells, those that lie in the rectangle, tell of the one in their middle.
+struct Neighbourhood {
+    double variance = 0;  ///< the mean of theirs
+    double contrast = 0;  ///< variance of their means
+};
+Neighbourhood neighbourhoodOf(const std::vector<CellState>& cells, int columns, std::size_t i) {
     const int rows = static_cast<int>(cells.size()) / columns, row = static_cast<int>(i) / columns, column = static_cast<int>(i) % columns;
-    double sum = 0;
+    double variance = 0, sum = 0, squares = 0;
     int count = 0;
     for (int r = std::max(0, row - 1); r <= std::min(rows - 1, row + 1); ++r)
         for (int c = std::max(0, column - 1); c <= std::min(columns - 1, column + 1); ++c)
             if (const CellState& cell = cells[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c)]; cell.pixels > 0) {
-                sum += cell.variance;
+                const double difference = cell.mean - cells[i].mean;
+                variance += cell.variance;
+                sum += difference;
+                squares += difference * difference;
                 ++count;
             }
-    return count ? sum / count : 0;
+    if (count == 0) return {};
+    return {variance / count, std::max(0.0, squares / count - sum * sum / (count * count))};
 }
 
 /// A cell that may get samples: what they cost, and what each gains.
@@ -130,7 +141,8 @@ bool nextGoals(const Film& film, const PixelRect& rect, std::uint32_t spp, const
     const auto findGain = [&](std::size_t i) {
         if (cells[i].pixels == 0) return;
         const double own = cells[i].freedom / (cells[i].freedom + rule.trust);
-        const double variance = own * cells[i].variance + (1 - own) * smoothedVariance(cells, static_cast<int>(columns), i);
+        const Neighbourhood near = neighbourhoodOf(cells, static_cast<int>(columns), i);
+        const double variance = own * cells[i].variance + (1 - own) * std::max(near.variance, rule.contrast * near.contrast);
         gain[i] = variance / std::pow(cells[i].samples, 1 + rule.fall);
     };
     if (!eachCell(findGain)) return false;
