@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "tests/bench/choices.h"
+#include "tests/bench/environment.h"
 #include "tests/bench/error.h"
 #include "tests/bench/filter.h"
 #include "tests/bench/rays.h"
@@ -16,7 +17,7 @@ int main(int argc, char** argv) {
     using namespace glint::bench;
     CLI::App app("Measures Glint on this machine. Compare ratios within one run, never times of two.", "glint-bench");
     app.require_subcommand(1);
-    const std::vector<Command> commands = {errorCommand(app), raysCommand(app), skipCommand(app), scaleCommand(app), scenesCommand(app), peersCommand(app), filterCommand(app), choicesCommand(app), startupCommand(app), viewportCommand(app)};
+    const std::vector<Command> commands = {errorCommand(app), raysCommand(app), skipCommand(app), scaleCommand(app), scenesCommand(app), peersCommand(app), filterCommand(app), choicesCommand(app), startupCommand(app), viewportCommand(app), environmentCommand(app)};
     CLI11_PARSE(app, argc, argv);
     std::setvbuf(stdout, nullptr, _IOLBF, 0);  // Long measurements are watched, also through a pipe.
     for (const Command& command : commands)

@@ -8,6 +8,7 @@
 
 #include "tests/bench/clock.h"
 #include "tests/bench/output.h"
+#include "tests/bench/packet_balls.h"
 #include "tests/bench/shape_field.h"
 #include "tests/support/scalar_lists.h"
 #include "tracer/math/transform.h"
@@ -26,7 +27,7 @@ constexpr double kSecondsARun = 0.05;
 struct RaySet {
     const char* name;
     std::vector<BenchRay> rays;
-    bool shadow;
+    bool shadow, coherent;
 };
 
 /// Embree's sphere points with the places and sizes of the shapes.
@@ -157,6 +158,9 @@ void measure(FieldOf kind, std::size_t count, const std::vector<RaySet>& sets, J
             contenders.push_back(contender("double", set.rays, [&, shadow](const BenchRay& r) {
                 return shadow ? scalar.occluded(r.ray, media, r.tMax, kNoShape) : scalar.closest(r.ray, media).found();
             }));
+        const PacketBalls packets(shapes);
+        if (kind == FieldOf::Balls && count <= kFlatShapes && set.coherent && PacketBalls::isSupported())
+            contenders.push_back({"packets", [&] { return packets.hits(set.rays); }});
         report(std::string(kind == FieldOf::Balls ? "balls " : "mixed ") + set.name, count, contenders, rows);
     }
 }
@@ -190,7 +194,7 @@ void measureTorus(Json& json) {
 int runRays(const std::string& jsonFile) {
     if (!canWrite(jsonFile)) return kCannotWrite;
     std::printf("One thread, the same rays for both, %d runs in turn: about two minutes.\n", kRuns);
-    const std::vector<RaySet> sets{{"primary", cameraRays(kSide), false}, {"incoherent", incoherentRays(kRays), false}, {"shadow", incoherentRays(kRays), true}};
+    const std::vector<RaySet> sets{{"primary", cameraRays(kSide), false, true}, {"incoherent", incoherentRays(kRays), false, false}, {"shadow", incoherentRays(kRays), true, false}};
     Json json{{"rows", Json::array()}};
     for (const FieldOf kind : {FieldOf::Balls, FieldOf::Mixed})
         for (const std::size_t count : {1, 2, 3, 4, 8, 16, 64, 128, 129, 1000, 100000}) measure(kind, count, sets, json["rows"]);
