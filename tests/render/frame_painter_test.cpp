@@ -1,6 +1,7 @@
 // The picture for the screen: what a coarse pass has not reached yet is filled from its grid, in every channel.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <random>
 
@@ -139,6 +140,11 @@ TEST(BlockPool, BlocksDoNotMeetAndAreUsedAgain) {
         for (const std::size_t at : {std::size_t{0}, kBytes - 1}) ASSERT_EQ(static_cast<unsigned char*>(blocks[i])[at], i % 251);
     pool.give(blocks[7]);
     EXPECT_EQ(pool.take(), blocks[7]);
+    for (int i = 0; i < 20; ++i) pool.reserve(30);
+    std::vector<void*> more;
+    for (int i = 0; i < 30; ++i) more.push_back(pool.take());
+    std::ranges::sort(more);
+    EXPECT_EQ(std::ranges::adjacent_find(more), more.end());
 }
 
 }  // namespace

@@ -93,6 +93,8 @@ class Film {
 
     [[nodiscard]] int columns() const { return (width_ + kTile - 1) / kTile; }
     [[nodiscard]] int rows() const { return (height_ + kTile - 1) / kTile; }
+    /// Takes some memory from the system, so that in a while the film can be cleared and filled without, though a copy has its tiles.
+    void reserve() { memory_->reserve(tiles_.size()); }
     /// Storage, tiles shared with copies included.
     [[nodiscard]] std::size_t bytes() const;
     /// Means of all pixels.

@@ -238,6 +238,12 @@ void LivingPicture::passDone(const SampleGoal& goal) {
         backdrop_.reset();
 }
 
+void LivingPicture::lookAhead(const CancelToken& cancel) {
+    if (picture_.film.bytes() > kCacheBytes / 2) return;
+    constexpr int kSteps = 4;
+    for (int i = 0; i < kSteps && !cancel.cancelled(); ++i) picture_.film.reserve();
+}
+
 void LivingPicture::measure(const RayCounts& before, double took) {
     const RayCounts& now = picture_.counts.rays;
     const auto samples = static_cast<double>(now.primary - before.primary), rays = static_cast<double>(now.total() - before.total());

@@ -41,6 +41,9 @@ class LivingPicture {
     /// Renders the pass that comes next.
     PassResult render(const PassTimes& times, const CancelToken& cancel);
 
+    /// Gets ready for an edit that keeps this picture for undo and begins a new one: memory from the system is slow. A little at a time.
+    void lookAhead(const CancelToken& cancel);
+
     /// The errors are to be found again, because the film has changed by more than a little.
     [[nodiscard]] bool needsJudging() const;
     /// Finds them; false when cancelled.
