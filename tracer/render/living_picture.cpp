@@ -240,7 +240,7 @@ void LivingPicture::passDone(const SampleGoal& goal) {
 
 void LivingPicture::lookAhead(const CancelToken& cancel) {
     if (picture_.film.bytes() > kCacheBytes / 2) return;
-    constexpr int kSteps = 4;
+    constexpr int kSteps = 12;
     for (int i = 0; i < kSteps && !cancel.cancelled(); ++i) picture_.film.reserve();
 }
 

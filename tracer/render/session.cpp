@@ -136,7 +136,7 @@ struct Session::Impl {
         // What is said to be done comes with its own error, not that of some samples ago.
         if (picture.isConverged() && picture.needsJudging() && !picture.judge(token)) return;
         show(token);
-        picture.lookAhead(token);
+        picture.lookAhead(cancel);
     }
 
     // ---- Frames ----
