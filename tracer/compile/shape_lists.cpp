@@ -5,6 +5,9 @@
 
 namespace glint {
 
+// Single rays against blocks of shapes, no packets of rays: these would take 0.4 (16 balls) to 0.8 (128) of the time, but for coherent rays only,
+// one in six to ten (glint-bench rays).
+
 namespace {
 
 constexpr std::size_t kLanesACall = kBlocksACall * kBlockSize;
