@@ -63,7 +63,7 @@ void DisplayTransform::apply(std::span<const Rgb> linear, std::span<std::uint32_
     static const SrgbTable table;
     for (std::size_t i = 0; i < linear.size(); ++i) {
         const Rgb& v = linear[i];
-        const bool isNumber = !(std::isnan(v.x) | std::isnan(v.y) | std::isnan(v.z));
+        const bool isNumber = !std::isnan(v.x) && !std::isnan(v.y) && !std::isnan(v.z);
         const std::uint32_t code = table.encode(v.x * scale_) << 16 | table.encode(v.y * scale_) << 8 | table.encode(v.z * scale_);
         out[i] = 0xff000000u | (isNumber ? code : 0x00ff00ffu);
     }
