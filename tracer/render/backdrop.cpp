@@ -16,7 +16,7 @@ Rgb shownAt(const Film& film, const Backdrop* backdrop, int mask, int x, int y) 
     const FilmPixel old = backdrop ? backdrop->at(x, y, film.width(), film.height()) : FilmPixel{};
     if (old.samples > own.samples) return FilmPixel{own.sumA + old.sumA, own.sumB + old.sumB, own.samples + old.samples}.mean();
     if (own.samples) return own.mean();
-    if (film.remembering() && !film.isAnew(gridX, gridY))
+    if (film.remembers() && !film.isAnew(gridX, gridY))
         if (const std::optional<Rgb> before = film.remembered(x, y)) return *before;
     return film.at(gridX, gridY).mean();
 }

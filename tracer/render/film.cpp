@@ -78,7 +78,8 @@ FilmPixel Film::mixed(const Sums& sums, int x, int y) const {
 void Film::clear(const PixelRect& rect) {
     if (rect == PixelRect{0, 0, width_, height_}) {
         oldest_ = ++generation_;
-        remembering_ = 0;
+        remembers_ = false;
+        retrace_ = 0;
         // What copies hold is theirs now: it would be copied only to be overwritten.
         for (std::shared_ptr<Tile>& tile : tiles_)
             if (tile.use_count() > 1) tile.reset();
@@ -91,9 +92,10 @@ void Film::clear(const PixelRect& rect) {
 
 std::size_t Film::forget(std::uint64_t materials, WorkerPool& pool) {
     static std::atomic<std::uint64_t> count{0};  // Only to be unique: relaxed.
-    if (!remembering_) {
+    remembers_ = true;
+    if (retrace_ == 0) {
         ++generation_;
-        remembering_ = count.fetch_add(1, std::memory_order_relaxed) + 1;
+        retrace_ = count.fetch_add(1, std::memory_order_relaxed) + 1;
     }
     std::atomic<std::size_t> forgotten{0};  // Only a sum, read when all workers have ended: relaxed.
     pool.run(rows(), [&](int, int row) { forgotten.fetch_add(forgetRow(materials, row), std::memory_order_relaxed); });
@@ -123,7 +125,7 @@ std::size_t Film::forgetRow(std::uint64_t materials, int tileRow) {
 std::optional<Rgb> Film::remembered(int x, int y) const {
     const Tile* tile = tiles_[tileOf(x, y)].get();
     const std::size_t place = placeOf(x, y);
-    if (!remembering_ || !tile || !(tile->generation[place] & kForgotten) || !holds(tile->generation[place] & ~kForgotten)) return std::nullopt;
+    if (!remembers_ || !tile || !(tile->generation[place] & kForgotten) || !holds(tile->generation[place] & ~kForgotten)) return std::nullopt;
     return pixelOf(tile->sums[place], x, y).mean();
 }
 

@@ -72,18 +72,24 @@ class Film {
     /// Takes away the samples of the pixels that rest on any of `materials`; answers how many pixels. remembered() still has their
     /// light, until settle() or clear(): nothing is copied for it.
     std::size_t forget(std::uint64_t materials, WorkerPool& pool);
-    /// No light is remembered any more: every pixel that was forgotten has a sample again.
-    void settle() { remembering_ = 0; }
-    /// Between the first forget() and settle(): a number that no other such time of any film has; otherwise 0.
-    [[nodiscard]] std::uint64_t remembering() const { return remembering_; }
+    /// Samples go to any pixel again. With `everywhere` no light is remembered any more: every pixel that was forgotten has a sample.
+    void settle(bool everywhere) {
+        retrace_ = 0;
+        remembers_ = remembers_ && !everywhere;
+    }
+    /// Some pixels may have been forgotten and have no sample yet.
+    [[nodiscard]] bool remembers() const { return remembers_; }
+    /// Between the first forget() and settle(), while samples go only to pixels that were forgotten: a number that no other such time of
+    /// any film has; otherwise 0.
+    [[nodiscard]] std::uint64_t retrace() const { return retrace_; }
     /// The mean that a pixel had when it was forgotten and has had no sample since.
     [[nodiscard]] std::optional<Rgb> remembered(int x, int y) const;
     /// The pixel's samples were made after it had been forgotten.
     [[nodiscard]] bool isAnew(int x, int y) const {
         const Tile* tile = tiles_[tileOf(x, y)].get();
-        return remembering_ && tile && tile->generation[placeOf(x, y)] == generation_;
+        return remembers_ && tile && tile->generation[placeOf(x, y)] == generation_;
     }
-    /// The pixel has not been forgotten since remembering() began.
+    /// The pixel has not been forgotten since retrace() began.
     [[nodiscard]] bool isUntouched(int x, int y) const { return find(x, y) && !isAnew(x, y); }
 
     /// Shows the light of the groups with these factors; needs groups() to be their number. Sums of groups are in float: a mix
@@ -146,7 +152,8 @@ class Film {
     std::size_t groups_ = 1;
     std::uint32_t generation_ = 1;  ///< of the samples to come; a step makes those before other ones
     std::uint32_t oldest_ = 1;      ///< clearing the whole film is a step of both
-    std::uint64_t remembering_ = 0;
+    bool remembers_ = false;
+    std::uint64_t retrace_ = 0;
     bool isMixed_ = false;
     LightMix mix_;
     std::shared_ptr<BlockPool> memory_;  ///< of the tiles, those of copies included

@@ -89,15 +89,15 @@ bool FramePainter::paint(const std::shared_ptr<const RenderScene>& scene, const 
                          const TileErrors& errors, const PaintSettings& settings, const CancelToken& cancel, Painting& out) {
     cancel_ = cancel;
     out.isRough = false;
-    const bool filters = settings.filtered && settings.channel == Channel::Beauty && stride == 1 && !film.remembering();
+    const bool filters = settings.filtered && settings.channel == Channel::Beauty && stride == 1 && !film.remembers();
     if (filters || isSurfaceChannel(settings.channel)) {
         // The first look is a quick one.
         const std::uint32_t known = guides_.samplesOf(scene, film.width(), film.height()), samples = stride == 1 && known > 0 ? GuideFilm::kSamples : 1;
         if (!guides_.refine(scene, film.width(), film.height(), stride, samples, cancel, pool_)) return false;
         out.isRough = stride == 1 && samples < GuideFilm::kSamples;
     }
-    const Painting::Base base{settings.channel == Channel::Beauty ? film.remembering() : 0, film.mix(), settings.display};
-    const bool stays = base.remembering != 0 && out.base == base;
+    const Painting::Base base{settings.channel == Channel::Beauty ? film.retrace() : 0, film.mix(), settings.display};
+    const bool stays = base.retrace != 0 && out.base == base;
     out.base = {};
     out.channel = settings.channel;
     out.filtered = filters;
@@ -122,7 +122,7 @@ bool FramePainter::paint(const std::shared_ptr<const RenderScene>& scene, const 
 
 bool FramePainter::paintBeauty(const Film& film, const Backdrop* backdrop, int mask, bool untouchedStay, const DisplayTransform& transform, Painting& out) {
     if (backdrop) return eachPixel(film, [&](int x, int y) { return transform.apply(shownAt(film, backdrop, mask, x, y)); }, out);
-    if (film.remembering())
+    if (film.remembers())
         return eachRow(film, 1, [&](int y, std::span<std::uint32_t> row) {
             std::optional<std::uint32_t> grid;  // The colour of all of a block's pixels that wait for their sample.
             for (int x = 0; x < film.width(); ++x) {

@@ -49,9 +49,9 @@ struct Painting {
     };
     std::optional<Probe> probe;  ///< what was asked for, if it lies in the picture
 
-    /// What an earlier painting has to share with the next for untouched pixels to stay. The film's remembering() is 0: nothing stays.
+    /// What an earlier painting has to share with the next for untouched pixels to stay. The film's retrace() is 0: nothing stays.
     struct Base {
-        std::uint64_t remembering = 0;
+        std::uint64_t retrace = 0;
         LightMix mix;
         DisplaySettings display;
         bool operator==(const Base&) const = default;

@@ -85,7 +85,7 @@ bool LivingPicture::setRegion(const std::optional<PixelRect>& region) {
 /// Throws away the samples that rest on changed materials; false if the edit changed more than values.
 bool LivingPicture::retrace(const Scene& next, const EditPlan& plan) {
     const int before = picture_.spp;
-    if (before == 0 && !picture_.film.remembering()) return false;  // There is no picture yet to keep anything of.
+    if (before == 0 && !picture_.film.remembers()) return false;  // There is no picture yet to keep anything of.
     Scene traced = withLightsOf(picture_.traced, next);
     auto compiled = compile(traced, wish_.assetFolder, assets_, picture_.scene);
     if (!compiled.ok() || !sameStructure(*picture_.scene, *compiled.value().scene)) return false;
@@ -97,7 +97,7 @@ bool LivingPicture::retrace(const Scene& next, const EditPlan& plan) {
     const std::size_t forgotten = picture_.film.forget(plan.materials, pool_);
     retracedShare_ = static_cast<double>(forgotten) / areaOf(workRect());
     if (forgotten == 0) {
-        if (before > 0) picture_.film.settle();
+        if (before > 0) picture_.film.settle(true);
         return true;
     }
     forgetProgress();
@@ -228,7 +228,7 @@ void LivingPicture::passDone(const SampleGoal& goal) {
         return;
     }
     picture_.shownStride = 1;
-    if (!wish_.region) picture_.film.settle();  // Outside a region there may be pixels without samples still.
+    picture_.film.settle(!wish_.region);  // Outside a region there may be pixels without samples still.
     picture_.goals = {};
     if (goal.cells) judge({});
     else picture_.spp = static_cast<int>(goal.samples);
