@@ -19,12 +19,6 @@ using namespace test;
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
-
 /// Small, with all that an edit can reach, and quick to converge.
 Scene busyScene() {
     Scene scene = bench::manyShapes(40);
@@ -117,7 +111,7 @@ class LivingWindowTest : public QObject {
 
   private slots:
     void survivesAllThatCanHappenWhileItRenders() {
-        const int acts = kSanitized || qEnvironmentVariableIsSet("GLINT_FULL") ? 10000 : 300;
+        const int acts = isLongRun() ? 10000 : 300;
         constexpr unsigned kSeed = 3;
         LivingWindow living(kSeed);
         std::mt19937 pause(kSeed);

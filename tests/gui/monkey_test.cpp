@@ -28,12 +28,6 @@ using namespace test;
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
-
 class Monkey {
   public:
     Monkey(MainWindow& window, unsigned seed) : window_(window), random_(seed) {
@@ -187,7 +181,7 @@ class MonkeyTest : public QObject {
 
   private slots:
     void nothingBreaks() {
-        const int actions = kSanitized || qEnvironmentVariableIsSet("GLINT_FULL") ? 5000 : 250;
+        const int actions = isLongRun() ? 5000 : 250;
         constexpr unsigned kSeed = 11;
         QDir::setCurrent(folder_.path());
         for (const char* scheme : {"file", "http", "https"}) QDesktopServices::setUrlHandler(scheme, this, "openNothing");

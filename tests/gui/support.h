@@ -12,6 +12,15 @@
 
 namespace glint::test {
 
+/// Tests that have a long form run it: under AddressSanitizer, and when GLINT_FULL is set.
+inline bool isLongRun() {
+#ifdef __SANITIZE_ADDRESS__
+    return true;
+#else
+    return qEnvironmentVariableIsSet("GLINT_FULL");
+#endif
+}
+
 /// A scene with one object, one light and one material, with fixed ids 1.
 inline Scene smallScene() {
     Scene scene;
