@@ -101,6 +101,17 @@ TEST(Torus, ASpindleHasNoSurfaceWithin) {
     EXPECT_TRUE(apple.inside({0, 0, 0}));
 }
 
+TEST(Torus, RaysFromItsAxisHit) {
+    const CanonicalTorus torus{0.25}, apple{1.5};
+    EXPECT_NEAR(torus.first({0, 0, 0}, {1, 0, 0}, Start::Elsewhere).t, 0.75, 1e-15);
+    EXPECT_NEAR(apple.first({0, 0, 0}, {0, 0, 1}, Start::Elsewhere).t, 2.5, 1e-15);
+    EXPECT_FALSE(torus.first({0, 0, 0}, {0, 1, 0}, Start::Elsewhere).found());
+    // Level, from the dimple: 1.3^2 + (r - 1)^2 = 1.5^2.
+    const double outwards = std::sqrt(1.5 * 1.5 - 1.3 * 1.3);
+    EXPECT_NEAR(apple.first({0, 1.3, 0}, {1, 0, 0}, Start::Elsewhere).t, 1 - outwards, 1e-15);
+    EXPECT_NEAR(apple.first({0, 1.3, 0}, {1, 0, 0}, Start::KnownOutside).t, 1 - outwards, 1e-15);
+}
+
 TEST(Torus, ATangentRayThatLeavesIsNotCaught) {
     const CanonicalTorus torus{0.25};
     EXPECT_FALSE(torus.first({1.25, 0, 0}, {0, 0, 1}, Start::Leaving).found());

@@ -11,15 +11,17 @@
 
 namespace glint {
 
-/// Solved by its quartic's critical points and the sign of the depth (r - 1)^2 + y^2 - ratio^2
-/// between them. That form loses no digits in thin tubes and leaves out the inner sheet of a
-/// spindle: the quartic is (r - 1)^2 + y^2 - ratio^2 times (r + 1)^2 + y^2 - ratio^2, and the
-/// second factor vanishes only within.
+/// Solved by the depth (r - 1)^2 + y^2 - ratio^2 along the ray, whose two bends are known: on
+/// every side of them Newton's method surely finds its zeros (Fourier's conditions). That form
+/// loses no digits in thin tubes and leaves out the inner sheet of a spindle: the torus's quartic
+/// is it times (r + 1)^2 + y^2 - ratio^2, which vanishes only within.
 struct CanonicalTorus {
     static constexpr bool closed = true, convex = false;
+    bool operator==(const CanonicalTorus&) const = default;
     double ratio = 0.25;
 
     [[nodiscard]] Crossing first(const DVec3& o, const DVec3& d, Start start) const {
+        if ((start == Start::Elsewhere || start == Start::KnownOutside) && passes(o, d)) return {};
         const double length = glm::length(d);
         if (start == Start::Leaving || start == Start::Entering) {
             Crossing hit = fromSurface(o, d / length, start == Start::Entering);
@@ -82,52 +84,124 @@ struct CanonicalTorus {
     /// meets itself.
     [[nodiscard]] double tubeHalfAngle() const { return ratio > 1 ? std::acos(-1 / ratio) : kPi; }
 
-    /// Depth and its slope along a line, `s` after `p`.
-    [[nodiscard]] ValueAndSlope depth(const DVec3& p, const DVec3& unit, double s) const {
-        const DVec3 x = p + s * unit;
-        const double r = std::sqrt(x.x * x.x + x.z * x.z), outwards = r - 1;
-        return {outwards * outwards + x.y * x.y - ratio * ratio,
-                2 * (outwards * (x.x * unit.x + x.z * unit.z) / r + x.y * unit.y)};
-    }
+    /// The piece of a line within the ball and the slab about the torus, as places `s` from its
+    /// point of closest approach to the centre; none where hi <= lo. Both ends are outside,
+    /// whatever rounding makes of the depth there.
+    struct Chord {
+        DVec3 p, unit;
+        double ratio, shift, lo = 0, hi = 0;
+        double resolution = 0;  ///< finer steps drown in the rounding of places
 
-    /// All crossings of the line, entries and exits in turn, as distances from `o`. The quartic is
-    /// taken about the point of closest approach to the centre, where its coefficients are small:
-    /// error below 1e-11 out to 1e4 major radii (tests/numeric/torus_test.cpp).
+        Chord(const DVec3& o, const DVec3& direction, double tube)
+            : unit(direction), ratio(tube), shift(-glm::dot(o, unit)) {
+            p = o + shift * unit;
+            const double reach = 1 + ratio, hole = std::max(0.0, 1 - ratio),
+                         half2 = reach * reach - glm::dot(p, p);
+            if (!(half2 > 0)) return;
+            const double half = std::sqrt(half2), rising = std::copysign(ratio, unit.y);
+            // A level line divides by 0: infinite bounds hold, and NaN is passed over.
+            lo = std::max(-half, (-rising - p.y) / unit.y);
+            hi = std::min(half, (rising - p.y) / unit.y);
+            resolution = 0x1p-52 * reach;
+            // Through the hole, as the distance from the axis is greatest at an end.
+            if (lo < hi && std::max(radius2(lo), radius2(hi)) < hole * hole) hi = lo;
+        }
+        /// Squared distance from the axis.
+        [[nodiscard]] double radius2(double s) const {
+            const double x = p.x + s * unit.x, z = p.z + s * unit.z;
+            return x * x + z * z;
+        }
+        /// The ends of the pieces on which the depth curves upwards, downwards, and upwards again.
+        /// Its second derivative is 2 - 2 c^2 / r^3, where c is the line's moment about the axis.
+        [[nodiscard]] std::array<double, 3> pieces() const {
+            const double c = p.x * unit.z - p.z * unit.x, c2 = c * c,
+                         w = unit.x * unit.x + unit.z * unit.z;
+            if (!(c2 < w * w * w)) return {hi, hi, hi};
+            // Within kBlur roundings of the axis the direction from it is noise, and so the slope;
+            // the ridge of the depth there is taken to be as wide.
+            constexpr double kBlur = 1024;
+            const double axis = -(p.x * unit.x + p.z * unit.z) / w, r = std::cbrt(c2),
+                         away = std::max(kBlur * resolution, std::sqrt((r * r - c2 / w) / w));
+            return {std::min(axis - away, hi), std::min(axis + away, hi), hi};
+        }
+        [[nodiscard]] ValueAndSlope depth(double s) const {
+            const DVec3 x = p + s * unit;
+            const double r = std::sqrt(x.x * x.x + x.z * x.z), outwards = r - 1,
+                         turn = r > 0 ? (x.x * unit.x + x.z * unit.z) / r : 0;
+            return {outwards * outwards + x.y * x.y - ratio * ratio,
+                    2 * (outwards * turn + x.y * unit.y)};
+        }
+        /// The crossing at or after `s` on a piece that ends at `end` and curves away from 0;
+        /// infinite if there is none. Newton's steps cannot pass it: the tangent meets 0 before the
+        /// depth does.
+        [[nodiscard]] double approach(double s, double end, bool upwards) const {
+            while (s <= end) {
+                const ValueAndSlope at = depth(s);
+                if (!(upwards ? at.slope < 0 : at.slope > 0)) break;
+                if (!(upwards ? at.value > 0 : at.value < 0)) return s;
+                const double step = -at.value / at.slope;
+                s += step;
+                // The second derivative is 2 at most, and the error left step^2 / |slope|.
+                if (step <= resolution || (upwards && step * step <= resolution * -at.slope))
+                    return s;
+            }
+            return kInfinity;
+        }
+        /// found(crossing) for each from `s` on in turn, until that answers true; `inside`: at s.
+        template <class Found>
+        void walk(double s, bool inside, const Found& found) const {
+            if (!(s < hi)) return;
+            const std::array<double, 3> ends = pieces();
+            for (std::size_t piece = 0; piece < 3; ++piece) {
+                const double end = ends[piece];
+                if (!(s < end)) continue;
+                const bool upwards = piece != 1;
+                if (inside != upwards)
+                    if (const double x = approach(s, end, upwards); x <= end) {
+                        if (found(x)) return;
+                        s = x, inside = !inside;
+                    }
+                // Where it curves towards 0 there is one crossing at most, and the end tells.
+                if (inside == upwards && (end < hi && depth(end).value < 0) != inside) {
+                    const auto f = [this](double x) { return depth(x); };
+                    if (found(refineRoot(f, s, end, inside, end, resolution))) return;
+                    inside = !inside;
+                }
+                s = end;
+            }
+        }
+    };
+    /// All crossings of the line, entries and exits in turn, as distances from `o`: error below
+    /// 1e-11 out to 1e4 major radii (tests/numeric/torus_test.cpp).
     [[nodiscard]] Roots<4> crossings(const DVec3& o, const DVec3& unit) const {
         const Chord chord(o, unit, ratio);
-        if (!(chord.half > 0)) return {};
-        Roots<4> roots = signChanges<4>(chord.critical, -chord.half, chord.half,
-                                        [&](double s) { return depth(chord.p, unit, s); });
-        for (int i = 0; i < roots.count; ++i) roots.at[static_cast<std::size_t>(i)] += chord.shift;
+        Roots<4> roots;
+        chord.walk(chord.lo, false, [&](double s) { return roots.add(s + chord.shift), false; });
         return roots;
     }
     /// The first of them in front of `o`; infinite if there is none.
     [[nodiscard]] double firstAhead(const DVec3& o, const DVec3& unit) const {
         const Chord chord(o, unit, ratio);
-        if (!(chord.half > 0)) return kInfinity;
-        return chord.shift + firstSignChange<4>(chord.critical, -chord.half, chord.half, -chord.shift,
-                                                [&](double s) { return depth(chord.p, unit, s); });
-    }
-    /// The piece of a line that can meet the torus, about its point of closest approach to the
-    /// centre, and where the depth along it may turn.
-    struct Chord {
-        double shift, half = 0;
-        DVec3 p;
-        Roots<3> critical;
-
-        Chord(const DVec3& o, const DVec3& unit, double ratio)
-            : shift(-glm::dot(o, unit)), p(o + shift * unit) {
-            const double reach = 1 + ratio, m = glm::dot(p, p), half2 = reach * reach - m;
-            if (!(half2 > 0)) return;
-            // The ends lie beyond the bounding sphere and so outside, whatever rounding does.
-            half = std::sqrt(half2) + ratio;
-            if (shift + half < 0) half = 0;  // Behind the ray's start.
-            if (half == 0) return;
-            const double k = m + 1 - ratio * ratio, w = unit.x * unit.x + unit.z * unit.z;
-            critical = findRoots<3>(
-                {-8 * (p.x * unit.x + p.z * unit.z), 4 * k - 8 * w, 0.0, 4.0}, -half, half);
+        const double start = -chord.shift;
+        bool inside = false;
+        if (start > chord.lo) {
+            const ValueAndSlope at = chord.depth(start);
+            inside = at.value < 0 || (at.value == 0 && at.slope < 0);
         }
-    };
+        double first = kInfinity;
+        chord.walk(std::max(chord.lo, start), inside, [&](double s) {
+            if (s > start) first = s;
+            return s > start;
+        });
+        return first + chord.shift;
+    }
+    /// Whether the ray misses the ball about the torus. Without roots or divisions.
+    [[nodiscard]] bool passes(const DVec3& o, const DVec3& d) const {
+        const DVec3 moment = glm::cross(o, d);
+        const double reach2 = (1 + ratio) * (1 + ratio);
+        return glm::dot(moment, moment) > reach2 * glm::dot(d, d) ||
+               (glm::dot(o, d) > 0 && glm::dot(o, o) > reach2);
+    }
 
     /// The next crossing of a ray that starts on the surface: the line's root at 0 is divided out,
     /// so it can be neither met again nor taken for another.
@@ -150,7 +224,7 @@ struct CanonicalTorus {
                     1 - 2 * w / sum + 2 * growth * (gamma + w * t) / (r * sum * sum)};
         };
         const auto critical =
-            findRoots<2>({4 * beta * beta + 2 * k - 4 * w, 8 * beta, 3.0}, 0.0, end);
+            quadraticRoots({4 * beta * beta + 2 * k - 4 * w, 8 * beta, 3.0}, 0.0, end);
         const Roots<3> roots = signChanges<3>(critical, 0.0, end, quotient);
         if (roots.count > 0) return {roots[0]};
         return entering ? Crossing{0.0} : Crossing{};
