@@ -18,7 +18,7 @@ namespace glint::bench {
 
 namespace {
 
-constexpr std::size_t kSide = 128;
+constexpr int kSide = 128;
 constexpr std::size_t kRays = kSide * kSide;  ///< a set; small enough to stay in the cache beside the shapes
 constexpr int kRuns = 7;                      ///< interleaved; the median counts
 constexpr double kSecondsARun = 0.05;
@@ -137,6 +137,21 @@ void report(const std::string& what, std::size_t count, std::vector<Contender>& 
     rows.push_back(std::move(row));
 }
 
+/// Tile by tile of a camera's rays, as a render does it: the shapes that a tile can see are looked for first.
+std::size_t traceTiles(const ShapeLists& lists, const std::vector<BenchRay>& rays, WorkCounts& work, FewShapes& few) {
+    const CameraModel camera = fieldCamera(kSide);
+    const MediaStack media;
+    std::size_t hits = 0, next = 0;
+    for (int top = 0; top < kSide; top += kBenchTile)
+        for (int left = 0; left < kSide; left += kBenchTile) {
+            const auto bundle = camera.bundle(left, top, left + kBenchTile, top + kBenchTile);
+            const FewShapes* seen = bundle && lists.cull(*bundle, few) ? &few : nullptr;
+            for (const std::size_t end = next + kBenchTile * kBenchTile; next < end; ++next)
+                hits += lists.closest(rays[next].ray, media, kInfinity, work, seen).found() ? 1 : 0;
+        }
+    return hits;
+}
+
 void measure(FieldOf kind, std::size_t count, const std::vector<RaySet>& sets, Json& rows) {
     const std::vector<ShapeInstance> shapes = makeShapes(count, kind);
     const ShapeLists lists(shapes);
@@ -144,16 +159,19 @@ void measure(FieldOf kind, std::size_t count, const std::vector<RaySet>& sets, J
     const EmbreePoints embree(shapes);
     const MediaStack media;
     WorkCounts work;
+    FewShapes few;
     for (const RaySet& set : sets) {
         const bool shadow = set.shadow;
+        const Contender single = contender(set.coherent ? "single" : "glint", set.rays, [&, shadow](const BenchRay& r) {
+            return shadow ? lists.occluded(r.ray, media, r.tMax, kNoShape, work)
+                          : lists.closest(r.ray, media, kInfinity, work).found();
+        });
+        const Contender tiles{"glint", [&] { return traceTiles(lists, set.rays, work, few); }};
         std::vector<Contender> contenders{
-            contender("glint", set.rays,
-                      [&, shadow](const BenchRay& r) {
-                          return shadow ? lists.occluded(r.ray, media, r.tMax, kNoShape, work)
-                                        : lists.closest(r.ray, media, kInfinity, work).found();
-                      }),
+            set.coherent ? tiles : single,
             contender("embree", set.rays,
                       [&, shadow](const BenchRay& r) { return shadow ? embree.occluded(r) : embree.closest(r); })};
+        if (set.coherent) contenders.push_back(single);
         if (count <= 1000)
             contenders.push_back(contender("double", set.rays, [&, shadow](const BenchRay& r) {
                 return shadow ? scalar.occluded(r.ray, media, r.tMax, kNoShape) : scalar.closest(r.ray, media).found();

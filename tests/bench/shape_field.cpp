@@ -50,15 +50,21 @@ std::vector<BenchRay> incoherentRays(std::size_t count) {
     return rays;
 }
 
-std::vector<BenchRay> cameraRays(std::size_t side) {
-    std::vector<BenchRay> rays(side * side);
-    const DVec3 eye(0, 0, 3 * kHalfSize);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const DVec2 place = DVec2(static_cast<double>(i % side) + 0.5, static_cast<double>(i / side) + 0.5) / static_cast<double>(side) * 2.0 - 1.0;
-        rays[i].ray.origin = eye;
-        rays[i].ray.direction = glm::normalize(DVec3(kHalfSize * place.x, -kHalfSize * place.y, kHalfSize) - eye);
-        rays[i].tMax = kInfinity;
-    }
+CameraModel fieldCamera(int side) {
+    Camera camera;
+    camera.position = {0, 0, 3 * kHalfSize};
+    camera.target = DVec3(0.0);
+    camera.verticalFovDegrees = radiansToDegrees(2 * std::atan(0.5));
+    return {camera, DVec3(0.0), side, side};
+}
+
+std::vector<BenchRay> cameraRays(int side) {
+    const CameraModel camera = fieldCamera(side);
+    std::vector<BenchRay> rays;
+    for (int top = 0; top < side; top += kBenchTile)
+        for (int left = 0; left < side; left += kBenchTile)
+            for (int y = top; y < top + kBenchTile; ++y)
+                for (int x = left; x < left + kBenchTile; ++x) rays.push_back({camera.ray(x + 0.5, y + 0.5), kInfinity});
     return rays;
 }
 

@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "tracer/compile/camera_model.h"
 #include "tracer/compile/shape_lists.h"
 #include "tracer/math/warp.h"
 
@@ -30,7 +31,10 @@ struct BenchRay {
 };
 /// From random points of the cube in random directions, up to a cube's side away.
 [[nodiscard]] std::vector<BenchRay> incoherentRays(std::size_t count);
-/// Of a camera outside that sees the whole cube: rows of a square picture, left to right. `side` squared rays.
-[[nodiscard]] std::vector<BenchRay> cameraRays(std::size_t side);
+/// A camera outside that sees the whole cube in a square picture.
+[[nodiscard]] CameraModel fieldCamera(int side);
+inline constexpr int kBenchTile = 16;
+/// Its rays through the middles of `side` squared pixels, tile by tile (rows of kBenchTile squared); `side` is a multiple.
+[[nodiscard]] std::vector<BenchRay> cameraRays(int side);
 
 }  // namespace glint::bench

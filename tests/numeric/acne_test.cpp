@@ -99,7 +99,7 @@ Tally leaveSurfaces(std::uint64_t count, const CanonicalShape& shape, double siz
             const DVec3 from = random.uniform(1.5, 20) * random.direction();
             const Ray ray = rayTo(instance.center + instance.worldFromLocal * from,
                                   instance.center + instance.worldFromLocal * random.inCube(0.8));
-            const ShapeHit hit = world.scene.lists.closest(ray, {});
+            const ShapeHit hit = world.scene.lists->closest(ray, {});
             if (!hit.found()) continue;
             const SurfacePoint point = world.point(ray, hit);
             const auto local = localPoint<long double>(instance, point.position);
@@ -108,7 +108,7 @@ Tally leaveSurfaces(std::uint64_t count, const CanonicalShape& shape, double siz
                 ++tally.checks;
                 const Vec3 up = randomUp(random);
                 const Ray out = spawn(point, (point.wo.z > 0) == (k < 3) ? up : -up);
-                const std::string wrong = judge(instance, out, world.scene.lists.closest(out, {}));
+                const std::string wrong = judge(instance, out, world.scene.lists->closest(out, {}));
                 if (!wrong.empty()) tally.fail(wrong + ": " + replay(instance, out));
             }
         }

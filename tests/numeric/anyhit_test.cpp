@@ -54,7 +54,7 @@ Tally askBothQuestions(std::uint64_t count, int shapes, bool dielectric) {
                 media = mediaAround(world, ray.origin);
             }
             tally.checks += 3;
-            const ShapeHit hit = world.scene.lists.closest(ray, media),
+            const ShapeHit hit = world.scene.lists->closest(ray, media),
                            slow = bruteForce(world, ray, media);
             // A ball needs no matrix in the lists, so its t may differ by roundings of the numbers
             // that go into it.
@@ -63,7 +63,7 @@ Tally askBothQuestions(std::uint64_t count, int shapes, bool dielectric) {
                 tally.fail("lists differ from shape after shape: " +
                            replay(world.scene.shapes[slow.found() ? slow.shape : hit.shape], ray));
             if (!hit.found()) {
-                if (world.scene.lists.occluded(ray, media, kInfinity, kNoShape))
+                if (world.scene.lists->occluded(ray, media, kInfinity, kNoShape))
                     tally.fail("occluded without a hit: " + replay(world.scene.shapes[0], ray));
                 i |= 7;
                 continue;
@@ -72,14 +72,14 @@ Tally askBothQuestions(std::uint64_t count, int shapes, bool dielectric) {
             // Workers take denormals for 0, so the next number above 0 is the smallest normal one.
             const double justBehind =
                 std::max(std::nextafter(hit.t, kInfinity), std::numeric_limits<double>::min());
-            if (!world.scene.lists.occluded(ray, media, justBehind, kNoShape))
+            if (!world.scene.lists->occluded(ray, media, justBehind, kNoShape))
                 tally.fail("seen but not in the way: " + replay(shape, ray));
             // A boundary that is left may lie before the entry that was given for it, by roundings
             // (hitOrder).
             const double place =
                 std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z);
             const double justBefore = dielectric ? hit.t - 0x1p-47 * (hit.t + place) : hit.t;
-            if (world.scene.lists.occluded(ray, media, justBefore, kNoShape))
+            if (world.scene.lists->occluded(ray, media, justBefore, kNoShape))
                 tally.fail("something nearer than the nearest: " + replay(shape, ray));
             const SurfacePoint point = world.point(ray, hit, media);
             const bool through = dielectric && random.next() % 2 == 0;
@@ -115,8 +115,8 @@ TEST(AnyHit, RaysThatAreNoRaysMiss) {
             (i % 2 ? ray.origin : ray.direction)[static_cast<int>(random.next() % 3)] =
                 strange[random.next() % std::size(strange)];
             if (i % 16 == 0) ray.direction = DVec3(0.0);
-            const ShapeHit hit = world.scene.lists.closest(ray, {});
-            static_cast<void>(world.scene.lists.occluded(ray, {}, 1, kNoShape));
+            const ShapeHit hit = world.scene.lists->closest(ray, {});
+            static_cast<void>(world.scene.lists->occluded(ray, {}, 1, kNoShape));
             if (!isFinite(ray.origin) || !isFinite(ray.direction) || ray.direction == DVec3(0.0)) {
                 EXPECT_FALSE(hit.found()) << replay(world.scene.shapes[0], ray);
             }

@@ -110,7 +110,7 @@ Tally lookAt(const Pair& pair, std::uint64_t count, bool swap) {
             from.y = std::abs(from.y) * (random.next() % 4 == 0 ? 0.03 : 1) + 1e-2;
             const DVec3 to(random.uniform(-0.6, 0.6), 0, random.uniform(-0.6, 0.6));
             const Ray ray = rayTo(at + turn * (size * from), at + turn * (size * to));
-            const ShapeHit hit = world.scene.lists.closest(ray, {});
+            const ShapeHit hit = world.scene.lists->closest(ray, {});
             if (!hit.found()) continue;
             ++tally.checks;
             const ShapeInstance& shape = world.scene.shapes[hit.shape];
@@ -127,15 +127,15 @@ Tally lookAt(const Pair& pair, std::uint64_t count, bool swap) {
             const Ray out = point.ray(up), in = point.ray(-up);
             // Upwards only tori meet themselves again, or their copy.
             const bool torus = std::holds_alternative<CanonicalTorus>(pair.above);
-            if (!torus && world.scene.lists.closest(out, {}).found())
+            if (!torus && world.scene.lists->closest(out, {}).found())
                 tally.fail("meets what it lies on: " + replay(shape, out));
-            if (!torus && world.scene.lists.occluded(out, {}, kInfinity, kNoShape))
+            if (!torus && world.scene.lists->occluded(out, {}, kInfinity, kNoShape))
                 tally.fail("is shadowed by what it lies on: " + replay(shape, out));
             // Downwards from a flat one there is the other, at once; at flatter angles it is a
             // matter of the last bits which way is down.
             if (std::abs(up.z) > 1e-3f && !isClosed(shape.shape) &&
                 isClosed(world.scene.shapes[1 - hit.shape].shape)) {
-                const ShapeHit below = world.scene.lists.closest(in, {});
+                const ShapeHit below = world.scene.lists->closest(in, {});
                 if (below.shape != 1 - hit.shape || below.t > 1e-9 * size)
                     tally.fail("falls through: " + replay(world.scene.shapes[1 - hit.shape], in));
             }

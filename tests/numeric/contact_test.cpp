@@ -25,7 +25,7 @@ double measuredSky(const World& world, const DVec3& at, double x, double scale, 
             const double sine = std::sqrt(top2 * (i + 0.5) / side),
                          cosine = std::sqrt(1 - sine * sine), phi = 2 * kPi * (j + 0.5) / side;
             const Ray ray{at, {cosine * std::cos(phi), sine, cosine * std::sin(phi)}, 0, false};
-            free += world.scene.lists.occluded(ray, {}, 1e6 * scale, kNoShape) ? 0 : 1;
+            free += world.scene.lists->occluded(ray, {}, 1e6 * scale, kNoShape) ? 0 : 1;
         }
     return free * top2 / (static_cast<double>(side) * side);
 }
@@ -74,7 +74,7 @@ Tally crossGap(std::uint64_t count, double gap) {
             if (glm::dot(ray.direction, from - first.center) < 1e-6 * size) continue;
             if (std::abs(glm::dot(ray.direction, to - second.center)) < 1e-6 * size) continue;
             ++tally.checks;
-            if (world.scene.lists.closest(ray, {}).shape != 1) tally.fail(replay(second, ray));
+            if (world.scene.lists->closest(ray, {}).shape != 1) tally.fail(replay(second, ray));
         }
         return tally;
     });
@@ -111,9 +111,9 @@ Tally lookAtShells(std::uint64_t count) {
             const Ray inner = rayTo(center + random.uniform(0, 0.9) * random.direction(),
                                     center + random.direction());
             tally.checks += 2;
-            if (world.scene.lists.closest(outer, {}).shape != 2)
+            if (world.scene.lists->closest(outer, {}).shape != 2)
                 tally.fail("from outside: " + replay(world.scene.shapes[2], outer));
-            if (world.scene.lists.closest(inner, {}).shape != 0)
+            if (world.scene.lists->closest(inner, {}).shape != 0)
                 tally.fail("from inside: " + replay(world.scene.shapes[0], inner));
         }
         return tally;
@@ -133,7 +133,7 @@ Tally crossShells(std::uint64_t count) {
             MediaStack media;
             std::string order;
             for (int k = 0; k < 8; ++k) {
-                const ShapeHit hit = world.scene.lists.closest(ray, media);
+                const ShapeHit hit = world.scene.lists->closest(ray, media);
                 if (!hit.found()) break;
                 order += std::to_string(hit.shape);
                 const SurfacePoint point = world.point(ray, hit, media);

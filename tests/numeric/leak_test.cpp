@@ -49,7 +49,7 @@ Tally bounceInside(std::uint64_t count, const CanonicalShape& shape) {
                        random.direction()};
             }
             tally.checks += 2;
-            const ShapeHit hit = world.scene.lists.closest(ray, {});
+            const ShapeHit hit = world.scene.lists->closest(ray, {});
             if (!hit.found()) {
                 tally.fail(replay(world.scene.shapes[0], ray));
                 i |= 63;
@@ -61,7 +61,7 @@ Tally bounceInside(std::uint64_t count, const CanonicalShape& shape) {
             const Ray shadow{point.position, glm::normalize(to), point.shape, wi.z < 0};
             // Only directions into the shape are asked for: a wall that is turned away is dark
             // without a shadow ray.
-            if (wi.z < 0 && !world.scene.lists.occluded(shadow, {}, glm::length(to), kNoShape))
+            if (wi.z < 0 && !world.scene.lists->occluded(shadow, {}, glm::length(to), kNoShape))
                 tally.fail(replay(world.scene.shapes[0], shadow));
             ray = next(random, world, point);
         }
@@ -106,7 +106,7 @@ Tally crossGlass(std::uint64_t count) {
                 glm::normalize(random.inCube(1.5) + DVec3(0, random.uniform(0, 4), 0) - ray.origin);
             MediaStack media;
             for (int k = 0; k < 40; ++k) {
-                const ShapeHit hit = world.scene.lists.closest(ray, media);
+                const ShapeHit hit = world.scene.lists->closest(ray, media);
                 if (!hit.found()) {
                     ++tally.checks;
                     if (!media.empty())

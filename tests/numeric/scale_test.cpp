@@ -177,7 +177,7 @@ std::vector<Seen> primaryHits(const RenderScene& scene) {
     for (int y = 0; y < scene.film.height; ++y)
         for (int x = 0; x < scene.film.width; ++x) {
             const Ray ray = scene.camera.ray(x + 0.5, y + 0.5, DVec2(0.5));
-            const ShapeHit hit = scene.lists.closest(ray, scene.cameraMedia);
+            const ShapeHit hit = scene.lists->closest(ray, scene.cameraMedia);
             if (!hit.found()) {
                 out.emplace_back();
                 continue;

@@ -179,7 +179,8 @@ struct Subject {
     const char* name;
     ShapeLists lists;
 };
-std::vector<Subject> makeSubjects(const std::vector<ShapeInstance>& shapes) {
+std::vector<Subject> makeSubjects(const std::vector<ShapeInstance>& shapes,
+                                  const ShapeLists* previous = nullptr) {
     static std::mutex oneChoiceAtATime;  // Highway's choice is the whole program's.
     const std::scoped_lock lock(oneChoiceAtATime);
     std::vector<Subject> out;
@@ -187,8 +188,8 @@ std::vector<Subject> makeSubjects(const std::vector<ShapeInstance>& shapes) {
         hwy::SetSupportedTargetsForTest(0);
         if ((hwy::SupportedTargets() & target) == 0) continue;
         hwy::SetSupportedTargetsForTest(target);
-        EXPECT_STREQ(blockKernels(Coordinates::Pairs).name, hwy::TargetName(target));
-        out.push_back({hwy::TargetName(target), ShapeLists(shapes)});
+        EXPECT_STREQ(blockKernels<Coordinates::Pairs>().name, hwy::TargetName(target));
+        out.push_back({hwy::TargetName(target), ShapeLists(shapes, previous)});
     }
     hwy::SetSupportedTargetsForTest(0);
     return out;
@@ -217,29 +218,36 @@ bool compareQuery(const Query& q, const test::ScalarLists& model, const ShapeHit
     return true;
 }
 
+/// `rays` queries; false at the first answer that differs.
+bool compareQueries(const SceneKind& kind, const std::vector<ShapeInstance>& shapes,
+                    const std::vector<Subject>& subjects, std::size_t rays, Random& random,
+                    const std::string& what) {
+    const test::ScalarLists model(shapes);
+    std::size_t hits = 0;
+    Query q;
+    ShapeHit last;
+    for (std::size_t i = 0; i < rays; ++i) {
+        if (last.found() && random.chance(0.5))
+            startAtHit(q, last, random);
+        else
+            q = randomQuery(kind, shapes, random);
+        last = model.closest(q.ray, q.media, q.tMax);
+        hits += last.found() ? 1 : 0;
+        if (!compareQuery(q, model, last, subjects, what + ", ray " + std::to_string(i)))
+            return false;
+    }
+    EXPECT_GT(hits, rays / 20) << kind.name << ": too few hits to mean anything";
+    return true;
+}
+
 /// Every kind of scene with `count` shapes, `rays` queries each.
 void compareScenes(std::size_t count, std::size_t rays, std::uint64_t seed) {
     for (const SceneKind& kind : kKinds) {
         Random random(seed * 1000 + count);
         const std::vector<ShapeInstance> shapes = makeShapes(kind, count, random);
-        const test::ScalarLists model(shapes);
-        const std::vector<Subject> subjects = makeSubjects(shapes);
-        std::size_t hits = 0;
-        Query q;
-        ShapeHit last;
-        for (std::size_t i = 0; i < rays; ++i) {
-            if (last.found() && random.chance(0.5))
-                startAtHit(q, last, random);
-            else
-                q = randomQuery(kind, shapes, random);
-            const std::string replay = std::string(kind.name) + ", " + std::to_string(count) +
-                                       " shapes, seed " + std::to_string(seed) + ", ray " +
-                                       std::to_string(i);
-            last = model.closest(q.ray, q.media, q.tMax);
-            hits += last.found() ? 1 : 0;
-            if (!compareQuery(q, model, last, subjects, replay)) return;
-        }
-        EXPECT_GT(hits, rays / 20) << kind.name << ": too few hits to mean anything";
+        const std::string what = std::string(kind.name) + ", " + std::to_string(count) +
+                                 " shapes, seed " + std::to_string(seed);
+        if (!compareQueries(kind, shapes, makeSubjects(shapes), rays, random, what)) return;
     }
 }
 
@@ -254,6 +262,51 @@ TEST(ShapeLists, HierarchiesAnswerAsTheLoop) {
     compareScenes(300, 4000, 2);
     compareScenes(3000, 400, 3);
     compareScenes(30000, 20, 4);
+}
+
+/// One shape is dragged, step by step; then all move.
+TEST(ShapeLists, RefittedHierarchiesAnswerAsTheLoop) {
+    for (const SceneKind& kind : kKinds) {
+        Random random(11);
+        std::vector<ShapeInstance> shapes = makeShapes(kind, 500, random);
+        ShapeLists lists(shapes);
+        int refitted = 0;
+        for (int step = 0; step < 8; ++step) {
+            const auto move = [&](ShapeInstance& shape) {
+                shape.center += random.cube(0.1 * kind.spread + 0.5 * kind.leastSize);
+            };
+            if (step < 4)
+                move(shapes[77]);
+            else
+                std::for_each(shapes.begin(), shapes.end(), move);
+            const std::string what = std::string(kind.name) + ", step " + std::to_string(step);
+            if (!compareQueries(kind, shapes, makeSubjects(shapes, &lists), 600, random, what))
+                return;
+            lists = ShapeLists(shapes, &lists);
+            refitted += lists.isRefitted() ? 1 : 0;
+        }
+        EXPECT_GE(refitted, 2) << kind.name;
+    }
+}
+
+TEST(ShapeLists, OtherShapesGetAHierarchyOfTheirOwn) {
+    Random random(12);
+    const std::vector<ShapeInstance> shapes = makeShapes(kKinds[0], 300, random);
+    const ShapeLists lists(shapes);
+    const auto refitted = [&](const std::vector<ShapeInstance>& next) {
+        return ShapeLists(next, &lists).isRefitted();
+    };
+    EXPECT_TRUE(refitted(shapes));
+    std::vector<ShapeInstance> fewer(shapes.begin(), shapes.end() - 1), turned = shapes;
+    EXPECT_FALSE(refitted(fewer));
+    for (ShapeInstance& shape : turned)
+        shape.shape = std::holds_alternative<CanonicalBox>(shape.shape)
+                          ? CanonicalShape(CanonicalPlane{})
+                          : shape.shape;
+    EXPECT_FALSE(refitted(turned)) << "a box has become a plane";
+    std::vector<ShapeInstance> scattered = shapes;
+    for (ShapeInstance& shape : scattered) shape.center = random.cube(kKinds[0].spread);
+    EXPECT_FALSE(refitted(scattered)) << "boxes grow too much";
 }
 
 TEST_F(ShapeListsFull, AnswerAsTheLoopForAHundredMillionRays) {

@@ -112,7 +112,7 @@ class Walker {
     Walker(const World& world, Random& random) : world_(world), random_(random) { startAnew(); }
 
     void step(Tally& tally) {
-        const ShapeHit hit = world_.scene.lists.closest(ray_, Way::known(media_));
+        const ShapeHit hit = world_.scene.lists->closest(ray_, Way::known(media_));
         compare(hit.found() ? hit.t / 2 : 1e3, tally);
         if (!hit.found() || wrong_ || ++steps_ == 200) return startAnew();
         const SurfacePoint point = world_.point(ray_, hit, media_);

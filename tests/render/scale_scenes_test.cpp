@@ -55,7 +55,7 @@ DVec3 beside(const DVec3& axis, long double angle, double around) {
 }
 /// Whether a ray from the camera meets the object of that name first.
 bool sees(const RenderScene& scene, const Scene& document, const std::string& name, const DVec3& direction) {
-    const ShapeHit hit = scene.lists.closest({scene.camera.position(), direction}, scene.cameraMedia);
+    const ShapeHit hit = scene.lists->closest({scene.camera.position(), direction}, scene.cameraMedia);
     return hit.found() && document.objects.at(scene.shapes[hit.shape].object).name == name;
 }
 
@@ -106,7 +106,7 @@ TEST(ScaleScenes, NothingPassesBetweenABallAndItsFloorBehindGlass) {
         const DVec3 contact = -scene->origin, out(std::cos(turn), 0, std::sin(turn)), aside(-out.z, 0, out.x);
         const DVec3 from = contact + 3 * s * out + DVec3(0, (0.1 + 4.2 * (i % 7) / 6) * s * s, 0);
         const DVec3 to = contact + s * (0.5 * out + 0.5 * (i % 5 - 2) * aside);
-        const std::string name = nameAt(scene->lists.closest({from, glm::normalize(to - from)}, {}));
+        const std::string name = nameAt(scene->lists->closest({from, glm::normalize(to - from)}, {}));
         floor += name == "Floor" ? 1 : 0;
         ball += name == "Ball" ? 1 : 0;
     }

@@ -19,7 +19,7 @@ struct World {
         scene.materials.push_back(material);
         for (ShapeInstance& shape : shapes) shape.dielectric = dielectric && isClosed(shape.shape);
         scene.shapes = std::move(shapes);
-        scene.lists = ShapeLists(scene.shapes);
+        scene.lists = std::make_shared<const ShapeLists>(scene.shapes);
     }
     [[nodiscard]] SurfacePoint point(const Ray& ray, const ShapeHit& hit,
                                      const MediaStack& media = {}) const {

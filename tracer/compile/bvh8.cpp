@@ -19,54 +19,55 @@ constexpr std::uint32_t kPartByKind = 16;
 constexpr int kMedianDepth = kMaxTreeDepth / 2;
 /// Below this many shapes threads cost more than they give.
 constexpr std::size_t kParallelFrom = 20000;
+/// Parts of the tree that threads build side by side.
+constexpr std::size_t kParts = 16;
 
-struct Bounds {
-    DVec3 lower{kInfinity}, upper{-kInfinity};
-    void add(const DVec3& p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
-    void add(const Bounds& b) {
-        lower = glm::min(lower, b.lower), upper = glm::max(upper, b.upper);
-    }
-    void add(const BoundedShape& s) {
-        const DVec3 half(s.half[0], s.half[1], s.half[2]);
-        lower = glm::min(lower, s.center - half), upper = glm::max(upper, s.center + half);
-    }
-    [[nodiscard]] double area() const {
-        const DVec3 e = upper - lower;
-        return e.x * e.y + e.y * e.z + e.z * e.x;
-    }
-};
-
+/// Shapes [begin, end) of the list.
 struct Range {
     std::uint32_t begin = 0, end = 0;
-    Bounds bounds;
+    Bounds bounds, centers;
     bool balls = false, boxes = false;
     [[nodiscard]] std::uint32_t count() const { return end - begin; }
     [[nodiscard]] bool isLeaf() const { return count() <= kBlockSize && !(balls && boxes); }
 };
 
+/// Visits of blocks and nodes cost alike; this is what fewer shapes than a block cost too.
 double blocks(std::uint32_t count) {
     return static_cast<double>((count + kBlockSize - 1) / kBlockSize);
 }
+
+/// A node of the binary tree, which the wide one is made from.
+struct BinaryNode {
+    Bounds bounds;
+    std::uint32_t begin = 0, count = 0;
+    bool balls = false;
+    std::uint32_t left = 0, right = 0;  ///< 0: a leaf
+    /// cost[i]: of the least expensive up to i + 1 children of a wide node that hold all below;
+    /// leftShare[i]: how many of these hold what is below `left`, 0: the same as with one less.
+    std::array<float, kBlockSize> cost{};
+    std::array<std::uint8_t, kBlockSize> leftShare{};
+
+    [[nodiscard]] bool isLeaf() const { return left == 0; }
+};
+using BinaryTree = std::vector<BinaryNode>;
 
 class Builder {
   public:
     explicit Builder(std::span<BoundedShape> shapes) : shapes_(shapes) {}
 
     Hierarchy build(int threads) {
-        const Range all = measure(0, static_cast<std::uint32_t>(shapes_.size()));
-        if (threads < 2 || shapes_.size() < kParallelFrom) {
-            Hierarchy out;
-            addNode(out, all, 0);
-            return out;
-        }
-        return buildParallel(all, threads);
+        const bool parallel = threads > 1 && shapes_.size() >= kParallelFrom;
+        grow(parallel ? threads : 1);
+        addNode(0);
+        return std::move(out_);
     }
 
   private:
     [[nodiscard]] Range measure(std::uint32_t begin, std::uint32_t end) const {
-        Range r{begin, end, {}, false, false};
+        Range r{begin, end, {}, {}, false, false};
         for (const BoundedShape& s : shapes_.subspan(begin, end - begin)) {
             r.bounds.add(s);
+            r.centers.add(s.center);
             (s.index & kBallBit ? r.balls : r.boxes) = true;
         }
         return r;
@@ -112,33 +113,26 @@ class Builder {
     }
 
     template <class GoesLeft>
-    std::uint32_t part(const Range& r, GoesLeft&& goesLeft) {
+    std::pair<Range, Range> part(const Range& r, GoesLeft&& goesLeft) {
         const auto list = shapes_.subspan(r.begin, r.count());
-        const auto middle = std::partition(list.begin(), list.end(), goesLeft);
-        return r.begin + static_cast<std::uint32_t>(middle - list.begin());
+        const auto middle = r.begin + static_cast<std::uint32_t>(
+                                          std::partition(list.begin(), list.end(), goesLeft) -
+                                          list.begin());
+        return {measure(r.begin, middle), measure(middle, r.end)};
     }
 
     /// Parts a range in two, none of them empty.
     std::pair<Range, Range> split(const Range& r, int depth) {
-        if (r.balls && r.boxes && r.count() <= kPartByKind) {
-            const auto middle =
-                part(r, [](const BoundedShape& s) { return (s.index & kBallBit) != 0; });
-            return {measure(r.begin, middle), measure(middle, r.end)};
-        }
-        Bounds centers;
-        for (const BoundedShape& s : shapes_.subspan(r.begin, r.count())) centers.add(s.center);
-        const DVec3 extent = centers.upper - centers.lower;
+        if (r.balls && r.boxes && r.count() <= kPartByKind)
+            return part(r, [](const BoundedShape& s) { return (s.index & kBallBit) != 0; });
+        const DVec3 extent = r.centers.upper - r.centers.lower;
         const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0
                          : extent.y >= extent.z                       ? 1
                                                                       : 2;
-        const Binning binning{axis, centers.lower[axis], kBins * (1 - 1e-9) / extent[axis]};
-        if (depth < kMedianDepth && std::isfinite(binning.scale)) {
-            if (const int cut = chooseCut(r, binning); cut > 0) {
-                const auto middle =
-                    part(r, [&](const BoundedShape& s) { return binning.bin(s) < cut; });
-                return {measure(r.begin, middle), measure(middle, r.end)};
-            }
-        }
+        const Binning binning{axis, r.centers.lower[axis], kBins * (1 - 1e-9) / extent[axis]};
+        if (depth < kMedianDepth && std::isfinite(binning.scale))
+            if (const int cut = chooseCut(r, binning); cut > 0)
+                return part(r, [&](const BoundedShape& s) { return binning.bin(s) < cut; });
         return splitByCount(r, axis);
     }
 
@@ -153,114 +147,193 @@ class Builder {
         return {measure(r.begin, r.begin + half), measure(r.begin + half, r.end)};
     }
 
-    /// Splits the largest part until there are eight or all are leaves. In the order of their
-    /// shapes.
-    std::vector<Range> partition(const Range& r, int depth) {
-        std::vector<Range> parts{r};
-        while (parts.size() < kBlockSize) {
-            const auto largest =
-                std::max_element(parts.begin(), parts.end(), [](const Range& a, const Range& b) {
-                    const bool aLeaf = a.isLeaf(), bLeaf = b.isLeaf();
-                    return aLeaf != bLeaf ? aLeaf : a.bounds.area() < b.bounds.area();
-                });
-            if (largest->isLeaf()) break;
-            const auto [left, right] = split(*largest, depth);
-            *largest = left;
-            parts.push_back(right);
-        }
-        std::sort(parts.begin(), parts.end(),
-                  [](const Range& a, const Range& b) { return a.begin < b.begin; });
-        return parts;
+    static std::uint32_t add(BinaryTree& tree, const Range& r) {
+        GLINT_CHECK(tree.size() < kBallBit);
+        tree.push_back({r.bounds, r.begin, r.count(), r.balls});
+        return static_cast<std::uint32_t>(tree.size() - 1);
     }
 
-    /// Adds the node of a range and all below it; answers with its index.
-    std::uint32_t addNode(Hierarchy& out, const Range& r, int depth) {
+    /// The binary tree over a range whose node is there already.
+    void grow(BinaryTree& tree, std::uint32_t index, const Range& r, int depth) {
         GLINT_CHECK(depth < kMaxTreeDepth);
-        const std::vector<Range> parts = partition(r, depth);
-        const auto index = static_cast<std::uint32_t>(out.nodes.size());
-        out.nodes.push_back(makeNode(r.bounds, parts));
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            const std::uint32_t child = addChild(out, parts[i], depth + 1);
-            out.nodes[index].child[i] = child;
+        if (!r.isLeaf()) {
+            const auto [left, right] = split(r, depth);
+            const std::uint32_t l = add(tree, left);
+            grow(tree, l, left, depth + 1);
+            const std::uint32_t at = add(tree, right);
+            grow(tree, at, right, depth + 1);
+            tree[index].left = l, tree[index].right = at;
         }
-        return index;
+        weigh(tree, index);
     }
 
-    std::uint32_t addChild(Hierarchy& out, const Range& r, int depth) {
-        if (!r.isLeaf()) return addNode(out, r, depth);
-        out.leaves.push_back({r.begin, r.count()});
-        return kLeafBit | (r.balls ? kBallBit : 0u) |
-               static_cast<std::uint32_t>(out.leaves.size() - 1);
-    }
+    /// A part of the tree that is grown for itself.
+    struct Part {
+        Range range;
+        std::uint32_t node;  ///< of tree_
+        int depth;
+        BinaryTree tree = {};
+    };
 
-    /// The root's children are built side by side and then joined in their order.
-    Hierarchy buildParallel(const Range& all, int threads) {
-        const std::vector<Range> parts = partition(all, 0);
-        std::vector<Hierarchy> below(parts.size());
-        std::vector<std::uint32_t> roots(parts.size());
-        std::atomic<std::size_t> next{
-            0};  // Claims a part; joining the threads orders the results (relaxed is enough).
+    /// The whole binary tree. Its top is parted here; what is below on that many threads.
+    void grow(int threads) {
+        const Range all = measure(0, static_cast<std::uint32_t>(shapes_.size()));
+        add(tree_, all);
+        if (threads == 1) return grow(tree_, 0, all, 0);
+        std::vector<Part> parts{{all, 0, 0}};
+        while (parts.size() < kParts) {
+            const auto largest = std::max_element(
+                parts.begin(), parts.end(),
+                [](const Part& a, const Part& b) { return a.range.count() < b.range.count(); });
+            const auto [left, right] = split(largest->range, largest->depth);
+            const std::uint32_t l = add(tree_, left), at = add(tree_, right);
+            tree_[largest->node].left = l, tree_[largest->node].right = at;
+            *largest = {left, l, largest->depth + 1};
+            parts.push_back({right, at, largest->depth});
+        }
+        const std::size_t top = tree_.size();
+        // Claims a part; joining the threads orders the results (relaxed is enough).
+        std::atomic<std::size_t> next{0};
         const auto work = [&] {
-            for (std::size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < parts.size();)
-                roots[i] = addChild(below[i], parts[i], 1);
+            for (std::size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < parts.size();) {
+                add(parts[i].tree, parts[i].range);
+                grow(parts[i].tree, 0, parts[i].range, parts[i].depth);
+            }
         };
         {
             std::vector<std::jthread> helpers;
             for (int i = 1; i < threads; ++i) helpers.emplace_back(work);
             work();
         }
-        Hierarchy out;
-        out.nodes.push_back(makeNode(all.bounds, parts));
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            const auto nodeOffset = static_cast<std::uint32_t>(out.nodes.size()),
-                       leafOffset = static_cast<std::uint32_t>(out.leaves.size());
-            const auto moved = [&](std::uint32_t child) {
-                return child + (child & kLeafBit ? leafOffset : nodeOffset);
-            };
-            out.nodes[0].child[i] = moved(roots[i]);
-            for (Node8 node : below[i].nodes) {
-                for (int c = 0; c < kBlockSize; ++c)
-                    if (node.planes[0][c] <= node.planes[3][c])
-                        node.child[c] = moved(node.child[c]);
-                out.nodes.push_back(node);
-            }
-            out.leaves.insert(out.leaves.end(), below[i].leaves.begin(), below[i].leaves.end());
-            below[i] = {};
-        }
-        return out;
+        for (Part& p : parts) join(p);
+        for (std::size_t i = top; i-- > 0;)
+            if (tree_[i].cost[0] == 0) weigh(tree_, static_cast<std::uint32_t>(i));
     }
 
-    static Node8 makeNode(const Bounds& bounds, const std::vector<Range>& parts) {
-        Node8 node{};
-        const DVec3 middle = 0.5 * (bounds.lower + bounds.upper);
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto hi = static_cast<float>(middle[axis]);
-            const auto lo = static_cast<float>(middle[axis] - static_cast<double>(hi));
-            node.centerHi[axis] = hi, node.centerLo[axis] = lo;
-            const double center = static_cast<double>(hi) + static_cast<double>(lo);
-            for (std::size_t i = 0; i < kBlockSize; ++i) {
-                const bool used = i < parts.size();
-                node.planes[axis][i] = used ? face(parts[i].bounds.lower[axis] - center, -1)
-                                            : std::numeric_limits<float>::infinity();
-                node.planes[axis + 3][i] = used ? face(parts[i].bounds.upper[axis] - center, 1)
-                                                : -std::numeric_limits<float>::infinity();
-            }
-        }
-        return node;
+    /// Puts a part's tree where its node is.
+    void join(Part& p) {
+        const auto offset = static_cast<std::uint32_t>(tree_.size()) - 1;  // Its root stays out.
+        const auto moved = [&](BinaryNode node) {
+            if (!node.isLeaf()) node.left += offset, node.right += offset;
+            return node;
+        };
+        tree_[p.node] = moved(p.tree[0]);
+        for (std::size_t i = 1; i < p.tree.size(); ++i) tree_.push_back(moved(p.tree[i]));
+        p.tree = {};
     }
-    /// A face of a child's box, moved outwards by the filter's margin and over its own rounding.
-    static float face(double x, double outwards) {
-        return static_cast<float>(x + outwards * std::abs(x) * (kFaceMargin + 0x1p-23));
+
+    /// Costs of a node from those of its children (Ylitie et al., 3.1).
+    static void weigh(BinaryTree& tree, std::uint32_t index) {
+        BinaryNode& node = tree[index];
+        const auto area = static_cast<float>(node.bounds.area());
+        if (node.isLeaf()) return node.cost.fill(area);
+        const BinaryNode &left = tree[node.left], &right = tree[node.right];
+        for (std::size_t i = 1; i < kBlockSize; ++i) {
+            node.cost[i] = std::numeric_limits<float>::infinity();
+            for (std::size_t k = 0; k < i; ++k)
+                if (const float cost = left.cost[k] + right.cost[i - 1 - k]; cost < node.cost[i])
+                    node.cost[i] = cost, node.leftShare[i] = static_cast<std::uint8_t>(k + 1);
+        }
+        node.cost[0] = area + node.cost[kBlockSize - 1];
+        for (std::size_t i = 1; i < kBlockSize; ++i)
+            if (node.cost[i - 1] <= node.cost[i])
+                node.cost[i] = node.cost[i - 1], node.leftShare[i] = 0;
+    }
+
+    /// The binary nodes that become the up to `most` children of a wide one, in the order of their
+    /// shapes.
+    void collect(std::uint32_t index, std::size_t most, std::vector<std::uint32_t>& to) const {
+        const BinaryNode& node = tree_[index];
+        if (!node.isLeaf())
+            while (most > 1 && node.leftShare[most - 1] == 0) --most;
+        if (node.isLeaf() || most == 1) return to.push_back(index);
+        const std::size_t share = node.leftShare[most - 1];
+        collect(node.left, share, to);
+        collect(node.right, most - share, to);
+    }
+
+    /// Adds the wide node of a binary one and all below it; answers with its index.
+    std::uint32_t addNode(std::uint32_t binary) {
+        std::vector<std::uint32_t> children;
+        const BinaryNode& node = tree_[binary];
+        if (node.isLeaf()) {
+            children.push_back(binary);
+        } else {
+            // All eight places are this node's own to give away, so cost[7] may not stand for the
+            // node itself.
+            std::size_t most = kBlockSize;
+            while (most > 2 && node.leftShare[most - 1] == 0) --most;
+            const std::size_t share = std::max<std::size_t>(node.leftShare[most - 1], 1);
+            collect(node.left, share, children);
+            collect(node.right, most - share, children);
+        }
+        const auto index = static_cast<std::uint32_t>(out_.nodes.size());
+        std::fill_n(out_.nodes.emplace_back().child, kBlockSize, kNoChild);
+        for (std::size_t i = 0; i < children.size(); ++i) {
+            const std::uint32_t child = addChild(children[i]);
+            out_.nodes[index].child[i] = child;
+        }
+        return index;
+    }
+
+    std::uint32_t addChild(std::uint32_t binary) {
+        const BinaryNode& node = tree_[binary];
+        if (!node.isLeaf()) return addNode(binary);
+        out_.leaves.push_back({node.begin, node.count});
+        return kLeafBit | (node.balls ? kBallBit : 0u) |
+               static_cast<std::uint32_t>(out_.leaves.size() - 1);
     }
 
     std::span<BoundedShape> shapes_;
+    BinaryTree tree_;
+    Hierarchy out_;
 };
+
+/// A face of a child's box, moved outwards by the filter's margin and over its own rounding; those
+/// of an empty one stay infinite.
+float face(double x, double outwards) {
+    if (std::isinf(x)) return static_cast<float>(x);
+    return static_cast<float>(x + outwards * std::abs(x) * (kFaceMargin + 0x1p-23));
+}
+
+void setBoxes(Node8& node, Coordinates coordinates, const Bounds& all, std::span<const Bounds> children) {
+    const DVec3 middle =
+        coordinates == Coordinates::Single ? DVec3(0.0) : 0.5 * (all.lower + all.upper);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto hi = static_cast<float>(middle[axis]);
+        const auto lo = static_cast<float>(middle[axis] - static_cast<double>(hi));
+        node.centerHi[axis] = hi, node.centerLo[axis] = lo;
+        const double center = static_cast<double>(hi) + static_cast<double>(lo);
+        for (std::size_t i = 0; i < kBlockSize; ++i) {
+            node.planes[axis][i] = face(children[i].lower[axis] - center, -1);
+            node.planes[axis + 3][i] = face(children[i].upper[axis] - center, 1);
+        }
+    }
+}
 
 }  // namespace
 
 Hierarchy buildHierarchy(std::vector<BoundedShape>& shapes, int threads) {
     GLINT_CHECK(!shapes.empty() && shapes.size() < kBallBit);
     return Builder(shapes).build(threads);
+}
+
+double refit(std::vector<Node8>& nodes, Coordinates coordinates,
+             const std::function<Bounds(std::uint32_t)>& leafBounds) {
+    std::vector<Bounds> bounds(nodes.size());
+    double area = 0;
+    for (std::size_t n = nodes.size(); n-- > 0;) {
+        std::array<Bounds, kBlockSize> children;
+        for (std::size_t i = 0; i < kBlockSize; ++i) {
+            const std::uint32_t child = nodes[n].child[i];
+            if (child == kNoChild) continue;
+            children[i] = child & kLeafBit ? leafBounds(child) : bounds[child];
+            bounds[n].add(children[i]);
+            area += children[i].area();
+        }
+        setBoxes(nodes[n], coordinates, bounds[n], children);
+    }
+    return area;
 }
 
 }  // namespace glint

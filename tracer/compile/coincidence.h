@@ -19,11 +19,6 @@ inline constexpr double kPlaceRounding = 0x1p-48;
 /// Hits whose t differ by no more than this share are weighed by tieOrder().
 inline constexpr double kTieRange = 0x1p-26;
 
-/// At least the largest coordinate.
-[[nodiscard]] inline double coordinateSum(const DVec3& v) {
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
 /// Whether rounding alone may be what puts a point at `p` by `height` out of a surface placed at
 /// `center`.
 [[nodiscard]] inline bool isOn(double height, const DVec3& p, const DVec3& center) {

@@ -77,6 +77,38 @@ std::optional<Error> cameraProblem(const Camera& camera) {
     return std::nullopt;
 }
 
+/// From the largest to the smallest: of nested media the inner one is entered last.
+void findCameraMedia(RenderScene& out) {
+    const DVec3 reach = out.camera.reach(out.film.filterRadius);
+    std::vector<std::uint32_t> around;
+    for (std::uint32_t i = 0; i < out.shapes.size(); ++i) {
+        const ShapeInstance& shape = out.shapes[i];
+        if (shape.dielectric && shape.mayReach(out.camera.position(), reach)) around.push_back(i);
+    }
+    const auto volume = [&](std::uint32_t i) {
+        const DVec3 half = out.shapes[i].halfSize();
+        return half.x * half.y * half.z;
+    };
+    std::stable_sort(around.begin(), around.end(), [&](std::uint32_t a, std::uint32_t b) { return volume(a) > volume(b); });
+    out.cameraMedia = {};
+    out.cameraBoundaries.clear();
+    if (reach != DVec3(0.0)) {
+        out.cameraBoundaries = std::move(around);
+        return;
+    }
+    for (const std::uint32_t i : around)
+        if (out.shapes[i].holds(out.camera.position())) out.cameraMedia.cross(i);
+}
+
+/// All that depends on the camera and its film.
+void setView(RenderScene& out, const Scene& scene) {
+    out.film = scene.film;
+    out.camera = CameraModel(scene.viewCamera(), out.origin, scene.film.width, scene.film.height);
+    findCameraMedia(out);
+    constexpr auto lens = static_cast<Features>(Feature::Lens);
+    out.features = (out.features & ~lens) | (out.camera.hasLens() ? lens : 0u);
+}
+
 /// One run of compile(): fills `out_` part by part.
 class Compiler {
   public:
@@ -93,15 +125,12 @@ class Compiler {
         out_->casters = makeCasters(out_->shapes, out_->materials, out_->lights);
         out_->highlights = makeHighlights(out_->shapes, out_->materials, out_->lights);
         ++compiled_.stats.lightTablesBuilt;
-        out_->film = scene_.film;
         out_->settings = scene_.render;
         out_->lightGroups = groups_.count();
-        out_->camera = CameraModel(scene_.viewCamera(), out_->origin, scene_.film.width, scene_.film.height);
-        out_->lists = ShapeLists(out_->shapes);
-        ++compiled_.stats.shapeListsBuilt;
-        findCameraMedia();
+        addLists();
         findPassableGlass();
         findFeatures();
+        setView(*out_, scene_);
         warnOfSettings();
         compiled_.scene = std::move(out_);
         return std::move(compiled_);
@@ -177,7 +206,10 @@ class Compiler {
             if (!std::holds_alternative<Plane>(object.shape)) bounds.add(world.translation, half);
         });
         if (!bounds.empty()) out_->origin = 0.5 * (bounds.min + bounds.max);
-        for (const auto& [id, world] : placed) addShape(id, scene_.objects.at(id), world);
+        std::vector<ShapeInstance> shapes;
+        shapes.reserve(placed.size());
+        for (const auto& [id, world] : placed) addShape(id, scene_.objects.at(id), world, shapes);
+        out_->shapes = std::move(shapes);
     }
 
     /// Half the size of the world box around a shape's local box.
@@ -193,7 +225,7 @@ class Compiler {
         return glm::abs(linear[0]) * half.x + glm::abs(linear[1]) * half.y + glm::abs(linear[2]) * half.z;
     }
 
-    void addShape(ObjectId id, const Object& object, const Affine& world) {
+    void addShape(ObjectId id, const Object& object, const Affine& world, std::vector<ShapeInstance>& to) {
         ShapeInstance instance;
         instance.object = id;
         DVec3 half(1.0);
@@ -223,7 +255,7 @@ class Compiler {
         const auto material = materialIndex_.find(object.material);
         instance.material = material == materialIndex_.end() ? black_ : material->second;
         instance.dielectric = closed && out_->materials[instance.material].dielectric;
-        const auto index = static_cast<std::uint32_t>(out_->shapes.size());
+        const auto index = static_cast<std::uint32_t>(to.size());
         if (const Rgb emission = toRgb(object.emission); !isBlack(emission) && !std::holds_alternative<Plane>(object.shape)) {
             instance.light = static_cast<std::uint32_t>(out_->lights.lights.size());
             const double area = std::pow(std::cbrt(glm::determinant(linear)), 2);
@@ -234,7 +266,18 @@ class Compiler {
                                            .power = static_cast<double>(luminance(emission)) * 4 * kPi * area,
                                            .group = groups_.of(id)});
         }
-        out_->shapes.push_back(instance);
+        to.push_back(instance);
+    }
+
+    /// The previous scene's lists where its shapes are the same, else its hierarchy where they have moved.
+    void addLists() {
+        const auto coincide = [](const ShapeInstance& a, const ShapeInstance& b) { return a.coincides(b); };
+        if (previous_ && std::ranges::equal(out_->shapes, previous_->shapes, coincide)) {
+            out_->lists = previous_->lists;
+            return;
+        }
+        out_->lists = std::make_shared<const ShapeLists>(out_->shapes, previous_ ? previous_->lists.get() : nullptr);
+        ++(out_->lists->isRefitted() ? compiled_.stats.shapeListsRefitted : compiled_.stats.shapeListsBuilt);
     }
 
     void warnOfLength(const Object& object) {
@@ -338,27 +381,6 @@ class Compiler {
         return kPi * (radius2 > 0 ? radius2 : 1.0);
     }
 
-    /// From the largest to the smallest: of nested media the inner one is entered last.
-    void findCameraMedia() {
-        const DVec3 reach = out_->camera.reach(out_->film.filterRadius);
-        std::vector<std::uint32_t> around;
-        for (std::uint32_t i = 0; i < out_->shapes.size(); ++i) {
-            const ShapeInstance& shape = out_->shapes[i];
-            if (shape.dielectric && shape.mayReach(out_->camera.position(), reach)) around.push_back(i);
-        }
-        const auto volume = [&](std::uint32_t i) {
-            const DVec3 half = out_->shapes[i].halfSize();
-            return half.x * half.y * half.z;
-        };
-        std::stable_sort(around.begin(), around.end(), [&](std::uint32_t a, std::uint32_t b) { return volume(a) > volume(b); });
-        if (reach != DVec3(0.0)) {
-            out_->cameraBoundaries = std::move(around);
-            return;
-        }
-        for (const std::uint32_t i : around)
-            if (out_->shapes[i].holds(out_->camera.position())) out_->cameraMedia.cross(i);
-    }
-
     /// Glass lets shadow rays pass unbent where the media on its sides have one index, or are one.
     void findPassableGlass() {
         if (!mediaMayMatch(*out_)) return;
@@ -389,7 +411,6 @@ class Compiler {
             add(Feature::SampledSky, light.kind == LightKind::Environment || (light.kind == LightKind::Sun && !light.isDelta()));
         }
         add(Feature::Sky, !out_->lights.environment.isBlack());
-        add(Feature::Lens, out_->camera.hasLens());
     }
 
     void warnOfSettings() {
@@ -413,6 +434,18 @@ class Compiler {
 Result<Compiled> compile(const Scene& scene, const std::filesystem::path& assetFolder, AssetCache& assets,
                          const std::shared_ptr<const RenderScene>& previous) {
     return Compiler(scene, assetFolder, assets, previous.get()).run();
+}
+
+bool sameButView(const Scene& a, const Scene& b) {
+    return a.objects == b.objects && a.groups == b.groups && a.materials == b.materials && a.textures == b.textures && a.lights == b.lights &&
+           a.environment == b.environment && a.render == b.render;
+}
+
+Result<std::shared_ptr<const RenderScene>> withView(const RenderScene& compiled, const Scene& scene) {
+    if (auto problem = cameraProblem(scene.viewCamera())) return std::move(*problem);
+    auto out = std::make_shared<RenderScene>(compiled);
+    setView(*out, scene);
+    return std::shared_ptr<const RenderScene>(std::move(out));
 }
 
 std::vector<std::string> featureNames(const RenderScene& scene) {

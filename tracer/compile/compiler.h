@@ -26,7 +26,7 @@ struct CompileWarning {
 
 /// What a compile had to build anew; the rest was shared with the previous scene.
 struct CompileStats {
-    int shapeListsBuilt = 0, lightTablesBuilt = 0, environmentTablesBuilt = 0, imagesLoaded = 0;
+    int shapeListsBuilt = 0, shapeListsRefitted = 0, lightTablesBuilt = 0, environmentTablesBuilt = 0, imagesLoaded = 0;
 };
 
 struct Compiled {
@@ -58,6 +58,11 @@ class AssetCache {
 /// change are shared.
 [[nodiscard]] Result<Compiled> compile(const Scene& scene, const std::filesystem::path& assetFolder, AssetCache& assets,
                                        const std::shared_ptr<const RenderScene>& previous = nullptr);
+
+/// Whether two documents differ at most in what withView() takes from them, and in what the picture does not show.
+[[nodiscard]] bool sameButView(const Scene& a, const Scene& b);
+/// The compiled scene through the camera of `scene` and on its film: no list, table or texture is made. Fails as compile().
+[[nodiscard]] Result<std::shared_ptr<const RenderScene>> withView(const RenderScene& compiled, const Scene& scene);
 
 /// Names of the features that a compiled scene holds, and of the kernel that traces it.
 [[nodiscard]] std::vector<std::string> featureNames(const RenderScene& scene);

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "tracer/base/shared_list.h"
 #include "tracer/compile/camera_model.h"
 #include "tracer/compile/casters.h"
 #include "tracer/compile/highlights.h"
@@ -63,8 +65,8 @@ struct CompiledMaterial {
 
 struct RenderScene {
     DVec3 origin{0.0};  ///< world position of render space's origin
-    std::vector<ShapeInstance> shapes;
-    ShapeLists lists;
+    SharedList<ShapeInstance> shapes;
+    std::shared_ptr<const ShapeLists> lists;  ///< of `shapes`; scenes that have them in common share it
     std::vector<CompiledMaterial> materials;
     LightTable lights;
     CasterTable casters;

@@ -38,13 +38,14 @@ HWY_INLINE RayLanes spread(const FilterRay& ray) {
 }
 
 /// From the ray's origin to the centres, along one axis.
-template <Coordinates kCoordinates, class Block>
-HWY_INLINE V toCenter(const Block& block, const RayLanes& ray, int axis, std::size_t lane) {
-    const V hi = hn::Sub(hn::Load(kTag, block.centerHi[axis] + lane), ray.hi[axis]);
+template <Coordinates kCoordinates>
+HWY_INLINE V toCenter(const Centers<kCoordinates>& center, const RayLanes& ray, int axis,
+                      std::size_t lane) {
+    const V hi = hn::Sub(hn::Load(kTag, center.hi[axis] + lane), ray.hi[axis]);
     if constexpr (kCoordinates == Coordinates::Single)
         return hi;
     else
-        return hn::Add(hi, hn::Sub(hn::Load(kTag, block.centerLo[axis] + lane), ray.lo[axis]));
+        return hn::Add(hi, hn::Sub(hn::Load(kTag, center.lo[axis] + lane), ray.lo[axis]));
 }
 HWY_INLINE V dot(V x, V y, V z, V ax, V ay, V az) {
     return hn::MulAdd(z, az, hn::MulAdd(y, ay, hn::Mul(x, ax)));
@@ -62,10 +63,9 @@ HWY_INLINE Interval interval(V t0, V t1, M outside, const RayLanes& ray) {
 
 /// Perpendicular distance against the radius, as in CanonicalSphere.
 template <Coordinates kCoordinates>
-HWY_INLINE Interval test(const BallBlock& block, const RayLanes& ray, std::size_t lane) {
-    const V fx = toCenter<kCoordinates>(block, ray, 0, lane),
-            fy = toCenter<kCoordinates>(block, ray, 1, lane);
-    const V fz = toCenter<kCoordinates>(block, ray, 2, lane);
+HWY_INLINE Interval test(const BallBlock<kCoordinates>& block, const RayLanes& ray, std::size_t lane) {
+    const V fx = toCenter(block.center, ray, 0, lane), fy = toCenter(block.center, ray, 1, lane),
+            fz = toCenter(block.center, ray, 2, lane);
     const V radius = hn::Load(kTag, block.radius + lane), margin = hn::Set(kTag, kBallMargin);
     const V b = dot(fx, fy, fz, ray.d[0], ray.d[1], ray.d[2]);
     const V px = hn::NegMulAdd(b, ray.d[0], fx), py = hn::NegMulAdd(b, ray.d[1], fy),
@@ -80,10 +80,9 @@ HWY_INLINE Interval test(const BallBlock& block, const RayLanes& ray, std::size_
 
 /// Three slabs.
 template <Coordinates kCoordinates>
-HWY_INLINE Interval test(const BoxBlock& block, const RayLanes& ray, std::size_t lane) {
-    const V fx = toCenter<kCoordinates>(block, ray, 0, lane),
-            fy = toCenter<kCoordinates>(block, ray, 1, lane);
-    const V fz = toCenter<kCoordinates>(block, ray, 2, lane);
+HWY_INLINE Interval test(const BoxBlock<kCoordinates>& block, const RayLanes& ray, std::size_t lane) {
+    const V fx = toCenter(block.center, ray, 0, lane), fy = toCenter(block.center, ray, 1, lane),
+            fz = toCenter(block.center, ray, 2, lane);
     const V length = hn::Add(hn::Abs(fx), hn::Add(hn::Abs(fy), hn::Abs(fz)));
     const V error = hn::MulAdd(hn::Set(kTag, kBoxMargin), length, ray.slack),
             one = hn::Set(kTag, 1.0f);
@@ -110,57 +109,58 @@ HWY_INLINE std::uint32_t bitsOf(M mask) {
     return bytes[0] & ((1u << hn::Lanes(kTag)) - 1);
 }
 
-template <Coordinates kCoordinates, class Block>
+template <class Block>
 HWY_INLINE std::uint32_t scanBlock(const Block& block, const RayLanes& ray, float* tLo) {
     std::uint32_t missed = 0;
     for (std::size_t lane = 0; lane < kBlockSize; lane += hn::Lanes(kTag)) {
-        const Interval result = test<kCoordinates>(block, ray, lane);
+        const Interval result = test(block, ray, lane);
         missed |= bitsOf(result.miss) << lane;
         hn::StoreU(result.tLo, kTag, tLo + lane);
     }
     return ~missed & 0xFFu;
 }
 
-template <Coordinates kCoordinates, class Block>
+template <class Block>
 std::uint64_t scan(const Block* blocks, std::size_t count, const FilterRay& ray, float* tLo) {
     const RayLanes lanes = spread(ray);
     std::uint64_t candidates = 0;
     for (std::size_t i = 0; i < count; ++i)
-        candidates |= std::uint64_t{scanBlock<kCoordinates>(blocks[i], lanes, tLo + kBlockSize * i)}
+        candidates |= std::uint64_t{scanBlock(blocks[i], lanes, tLo + kBlockSize * i)}
                       << (kBlockSize * i);
     return candidates;
 }
 
 /// What the walk knows of the ray beside its lanes.
 struct NodeRay {
-    float inverse[3];
+    V inverse[3];
+    float sign[3];  ///< of the direction's coordinates
     int nearPlane[3], farPlane[3];
 };
 
-/// Which children the ray meets, and where from.
-HWY_INLINE std::uint32_t testNode(const Node8& node, const FilterRay& ray, const NodeRay& walk,
-                                  float limit, float* tNear) {
-    V nearOrigin[3], farOrigin[3];
-#pragma GCC unroll 3
-    for (int axis = 0; axis < 3; ++axis) {
-        const float o =
-            (ray.originHi[axis] - node.centerHi[axis]) + (ray.originLo[axis] - node.centerLo[axis]);
-        const float error =
-            std::copysign(kNodeMargin * std::abs(o) + ray.slack, walk.inverse[axis]);
-        nearOrigin[axis] = hn::Set(kTag, o + error);
-        farOrigin[axis] = hn::Set(kTag, o - error);
+/// The ray's origin as seen from a node, moved back for the faces that it enters by and on for
+/// those that it leaves by.
+struct NodeOrigin {
+    V front[3], back[3];
+    HWY_INLINE void set(const FilterRay& ray, const NodeRay& walk, int axis, float o) {
+        const float error = std::copysign(kNodeMargin * std::abs(o) + ray.slack, walk.sign[axis]);
+        front[axis] = hn::Set(kTag, o + error);
+        back[axis] = hn::Set(kTag, o - error);
     }
+};
+
+/// Which children the ray meets, and where from.
+HWY_INLINE std::uint32_t testNode(const Node8& node, const NodeOrigin& origin, const NodeRay& walk,
+                                  float limit, float* tNear) {
     std::uint32_t hits = 0;
     for (std::size_t lane = 0; lane < kBlockSize; lane += hn::Lanes(kTag)) {
         V enter = hn::Zero(kTag), leave = hn::Set(kTag, limit);
 #pragma GCC unroll 3
         for (int axis = 0; axis < 3; ++axis) {
-            const V inverse = hn::Set(kTag, walk.inverse[axis]);
             const V front = hn::Load(kTag, node.planes[walk.nearPlane[axis]] + lane);
             const V back = hn::Load(kTag, node.planes[walk.farPlane[axis]] + lane);
             // With NaN first, Max and Min answer with their second operand: the axis sets no bound.
-            enter = hn::Max(hn::Mul(hn::Sub(front, nearOrigin[axis]), inverse), enter);
-            leave = hn::Min(hn::Mul(hn::Sub(back, farOrigin[axis]), inverse), leave);
+            enter = hn::Max(hn::Mul(hn::Sub(front, origin.front[axis]), walk.inverse[axis]), enter);
+            leave = hn::Min(hn::Mul(hn::Sub(back, origin.back[axis]), walk.inverse[axis]), leave);
         }
         hn::Store(enter, kTag, tNear + lane);
         hits |= bitsOf(hn::Le(enter, leave)) << lane;
@@ -175,7 +175,8 @@ struct Waiting {
 
 /// Has the first cache lines of a child brought in before its turn comes: 1.5 times the rays from
 /// 1e5 balls on, no loss at 1e3.
-HWY_INLINE void prefetch(const BlockTree& tree, std::uint32_t child) {
+template <Coordinates kCoordinates>
+HWY_INLINE void prefetch(const BlockTree<kCoordinates>& tree, std::uint32_t child) {
     const std::uint32_t index = child & kChildMask;
     const void* at = tree.nodes + index;
     if (child & kLeafBit) {
@@ -186,7 +187,8 @@ HWY_INLINE void prefetch(const BlockTree& tree, std::uint32_t child) {
 }
 
 /// Puts the children that are hit on the stack, the nearest on top.
-HWY_INLINE Waiting* pushHits(const BlockTree& tree, const Node8& node, std::uint32_t hits,
+template <Coordinates kCoordinates>
+HWY_INLINE Waiting* pushHits(const BlockTree<kCoordinates>& tree, const Node8& node, std::uint32_t hits,
                              const float* tNear, Waiting* top) {
     Waiting* const base = top;
     for (; hits != 0; hits &= hits - 1) {
@@ -202,26 +204,33 @@ HWY_INLINE Waiting* pushHits(const BlockTree& tree, const Node8& node, std::uint
 
 /// Decides the leaf's candidates; answers with the new limit.
 template <class Block>
-HWY_INLINE float visitLeaf(const Block& block, const RayLanes& ray, float limit, DecideLeaf decide,
-                           void* query) {
+HWY_INLINE float visitLeaf(const Block& block, const std::uint32_t* first, const RayLanes& ray,
+                           float limit, DecideLeaf decide, void* query) {
     alignas(64) float tLo[kBlockSize];
-    std::uint32_t bits = scanBlock<Coordinates::Pairs>(block, ray, tLo) & ((1u << block.count) - 1);
+    std::uint32_t bits = scanBlock(block, ray, tLo);
     if (bits == 0) return limit;
+    bits &= (1u << (first[1] - first[0])) - 1;
     Candidate found[kBlockSize];
     int count = 0;
     for (; bits != 0; bits &= bits - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
-        found[count++] = {tLo[lane], block.first + lane};
+        found[count++] = {tLo[lane], first[0] + lane};
     }
     return decide(query, found, count);
 }
 
-WalkCounts walkTree(const BlockTree& tree, const FilterRay& ray, DecideLeaf decide, void* query) {
+template <Coordinates kCoordinates>
+WalkCounts walkTree(const BlockTree<kCoordinates>& tree, const FilterRay& ray, DecideLeaf decide,
+                    void* query) {
     RayLanes lanes = spread(ray);
     float limit = ray.limit;
-    NodeRay walk{};
+    NodeRay walk;
+    NodeOrigin origin;
     for (int axis = 0; axis < 3; ++axis) {
-        walk.inverse[axis] = 1.0f / ray.direction[axis];
+        walk.inverse[axis] = hn::Set(kTag, 1.0f / ray.direction[axis]);
+        walk.sign[axis] = ray.direction[axis];
+        if constexpr (kCoordinates == Coordinates::Single)
+            origin.set(ray, walk, axis, ray.originHi[axis]);
         walk.nearPlane[axis] = std::signbit(ray.direction[axis]) ? axis + 3 : axis;
         walk.farPlane[axis] = std::signbit(ray.direction[axis]) ? axis : axis + 3;
     }
@@ -236,15 +245,20 @@ WalkCounts walkTree(const BlockTree& tree, const FilterRay& ray, DecideLeaf deci
             const std::uint32_t index = next.child & kChildMask;
             const bool balls = (next.child & kBallBit) != 0;
             ++(balls ? counts.ballBlocks : counts.boxBlocks);
-            limit = balls ? visitLeaf(tree.balls[index], lanes, limit, decide, query)
-                          : visitLeaf(tree.boxes[index], lanes, limit, decide, query);
+            limit = balls ? visitLeaf(tree.balls[index], tree.ballFirst + index, lanes, limit, decide, query)
+                          : visitLeaf(tree.boxes[index], tree.boxFirst + index, lanes, limit, decide, query);
             if (limit < 0) return counts;
             lanes.limit = hn::Set(kTag, limit);
         } else {
             alignas(64) float tNear[kBlockSize];
             const Node8& node = tree.nodes[next.child];
             ++counts.nodes;
-            top = pushHits(tree, node, testNode(node, ray, walk, limit, tNear), tNear, top);
+            if constexpr (kCoordinates == Coordinates::Pairs)
+                for (int axis = 0; axis < 3; ++axis)
+                    origin.set(ray, walk, axis,
+                               (ray.originHi[axis] - node.centerHi[axis]) +
+                                   (ray.originLo[axis] - node.centerLo[axis]));
+            top = pushHits(tree, node, testNode(node, origin, walk, limit, tNear), tNear, top);
         }
     }
     return counts;
@@ -252,14 +266,13 @@ WalkCounts walkTree(const BlockTree& tree, const FilterRay& ray, DecideLeaf deci
 
 }  // namespace
 
-BlockKernels kernels(Coordinates coordinates) {
-    const char* name = hwy::TargetName(HWY_TARGET);
-    if (coordinates == Coordinates::Single)
-        return {name, scan<Coordinates::Single, BallBlock>, scan<Coordinates::Single, BoxBlock>,
-                walkTree};
-    return {name, scan<Coordinates::Pairs, BallBlock>, scan<Coordinates::Pairs, BoxBlock>,
-            walkTree};
+template <Coordinates kCoordinates>
+BlockKernels<kCoordinates> kernels() {
+    return {hwy::TargetName(HWY_TARGET), scan<BallBlock<kCoordinates>>, scan<BoxBlock<kCoordinates>>,
+            walkTree<kCoordinates>};
 }
+BlockKernels<Coordinates::Single> singleKernels() { return kernels<Coordinates::Single>(); }
+BlockKernels<Coordinates::Pairs> pairsKernels() { return kernels<Coordinates::Pairs>(); }
 
 }  // namespace glint::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -267,11 +280,18 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glint {
 
-HWY_EXPORT(kernels);
+HWY_EXPORT(singleKernels);
+HWY_EXPORT(pairsKernels);
 
-BlockKernels blockKernels(Coordinates coordinates) {
+template <>
+BlockKernels<Coordinates::Single> blockKernels() {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    return HWY_DYNAMIC_DISPATCH(kernels)(coordinates);
+    return HWY_DYNAMIC_DISPATCH(singleKernels)();
+}
+template <>
+BlockKernels<Coordinates::Pairs> blockKernels() {
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    return HWY_DYNAMIC_DISPATCH(pairsKernels)();
 }
 
 }  // namespace glint

@@ -50,34 +50,44 @@ enum class Coordinates { Single, Pairs };
     return coordinates == Coordinates::Single ? 0x1p-22 : 0x1p-44;
 }
 
-/// Eight balls: columns of floats. Lanes from `count` on are empty.
-struct alignas(64) BallBlock {
-    float centerHi[3][kBlockSize], centerLo[3][kBlockSize];
+/// The centres of eight shapes, by coordinate.
+template <Coordinates>
+struct Centers {
+    float hi[3][kBlockSize];
+};
+template <>
+struct Centers<Coordinates::Pairs> {
+    float hi[3][kBlockSize], lo[3][kBlockSize];
+};
+
+/// Eight balls: columns of floats. Lanes past the block's shapes may hold anything.
+template <Coordinates kCoordinates>
+struct alignas(32) BallBlock {
+    Centers<kCoordinates> center;
     float radius[kBlockSize];  ///< r (1 + kBallMargin)
-    std::uint32_t first;       ///< slot of lane 0
-    std::uint32_t count;
 };
 
 /// Eight shapes of any kind by their bounding boxes in local space, which shear may have turned
 /// into parallelepipeds.
-struct alignas(64) BoxBlock {
-    float centerHi[3][kBlockSize], centerLo[3][kBlockSize];
+template <Coordinates kCoordinates>
+struct alignas(32) BoxBlock {
+    Centers<kCoordinates> center;
     float row[3][3][kBlockSize];  ///< unit normals of the slabs: row[slab][coordinate]
     float half[3][kBlockSize];    ///< half the slabs' widths [m] + kBoxMargin R
-    std::uint32_t first;
-    std::uint32_t count;
 };
 
-/// A node of the hierarchy: the boxes of up to eight children relative to the node's centre.
+/// A node of the hierarchy: the boxes of up to eight children, with Coordinates::Pairs relative to
+/// the node's centre.
 struct alignas(64) Node8 {
     float planes[6][kBlockSize];  ///< lower x, y, z, upper x, y, z; empty children: +infinity,
                                   ///< -infinity
-    float centerHi[3], centerLo[3];
-    std::uint32_t child[kBlockSize];  ///< index of a node, or of a block with the bits below
+    float centerHi[3], centerLo[3];   ///< 0 with Coordinates::Single
+    std::uint32_t child[kBlockSize];  ///< index of a node, of a block with the bits below, kNoChild
 };
 inline constexpr std::uint32_t kLeafBit = 1u << 31;  ///< the child is a block
 inline constexpr std::uint32_t kBallBit = 1u << 30;  ///< of balls, else of boxes
 inline constexpr std::uint32_t kChildMask = kBallBit - 1;
+inline constexpr std::uint32_t kNoChild = ~0u;
 
 /// Paths from the root may not be longer; at most 7 siblings a level wait on the stack.
 inline constexpr int kMaxTreeDepth = 56;
@@ -96,10 +106,13 @@ struct Candidate {
     std::uint32_t slot;
 };
 
+/// The slots of block i's lanes run from first[i] to first[i + 1].
+template <Coordinates kCoordinates>
 struct BlockTree {
     const Node8* nodes;
-    const BallBlock* balls;
-    const BoxBlock* boxes;
+    const BallBlock<kCoordinates>* balls;
+    const BoxBlock<kCoordinates>* boxes;
+    const std::uint32_t *ballFirst, *boxFirst;
 };
 
 /// What a walk visited.
@@ -111,20 +124,27 @@ struct WalkCounts {
 using DecideLeaf = float (*)(void* query, Candidate* candidates, int count);
 
 /// The block tests for one instruction set.
+template <Coordinates kCoordinates>
 struct BlockKernels {
     const char* name;  ///< of the instruction set
     /// Tests up to eight blocks. Answers with a bit for each lane that may be hit (bit 0: lane 0 of
-    /// the first block) and sets those lanes' tLo. Lanes past a block's count may come out as hit.
-    std::uint64_t (*balls)(const BallBlock* blocks, std::size_t count, const FilterRay& ray,
-                           float* tLo);
-    std::uint64_t (*boxes)(const BoxBlock* blocks, std::size_t count, const FilterRay& ray,
-                           float* tLo);
+    /// the first block) and sets those lanes' tLo. Lanes without a shape may come out as hit.
+    std::uint64_t (*balls)(const BallBlock<kCoordinates>* blocks, std::size_t count,
+                           const FilterRay& ray, float* tLo);
+    std::uint64_t (*boxes)(const BoxBlock<kCoordinates>* blocks, std::size_t count,
+                           const FilterRay& ray, float* tLo);
     /// Visits the leaves along the ray from near to far.
-    WalkCounts (*walk)(const BlockTree& tree, const FilterRay& ray, DecideLeaf decide, void* query);
+    WalkCounts (*walk)(const BlockTree<kCoordinates>& tree, const FilterRay& ray, DecideLeaf decide,
+                       void* query);
 };
 
 /// The kernels for the best instruction set that Highway reports now (tests narrow that by
-/// SetSupportedTargetsForTest). `coordinates` is for flat lists; the walk takes pairs.
-[[nodiscard]] BlockKernels blockKernels(Coordinates coordinates);
+/// SetSupportedTargetsForTest).
+template <Coordinates kCoordinates>
+[[nodiscard]] BlockKernels<kCoordinates> blockKernels();
+template <>
+[[nodiscard]] BlockKernels<Coordinates::Single> blockKernels();
+template <>
+[[nodiscard]] BlockKernels<Coordinates::Pairs> blockKernels();
 
 }  // namespace glint

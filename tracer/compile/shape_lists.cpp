@@ -5,9 +5,6 @@
 
 namespace glint {
 
-// Single rays against blocks of shapes, no packets of rays: these would take 0.4 (16 balls) to 0.8 (128) of the time, but for coherent rays only,
-// one in six to ten (glint-bench rays).
-
 namespace {
 
 constexpr std::size_t kLanesACall = kBlocksACall * kBlockSize;
@@ -235,25 +232,23 @@ template <class Question>
     return question;
 }
 
-/// The shapes of a flat list of blocks, whose slots begin at `firstSlot`.
-template <class Question, class Block, class Kernel>
+/// The shapes of a flat list of blocks; slotOf(lane) of the list's lanes.
+template <class Question, class Block, class Kernel, class SlotOf>
 [[gnu::always_inline]] inline Question ShapeLists::askFlat(const Asking& asking, Question question,
                                                            const std::vector<Block>& blocks,
-                                                           std::uint32_t firstSlot,
-                                                           std::uint32_t shapes, Kernel kernel,
-                                                           FilterRay& ray) const {
+                                                           std::size_t shapes, Kernel kernel,
+                                                           FilterRay& ray, SlotOf slotOf) const {
     for (std::size_t i = 0; i < blocks.size() && !question.done(); i += kBlocksACall) {
         float tLo[kLanesACall];
         ray.limit = roundUp(question.limit() * asking.length);
         std::uint64_t found =
             kernel(&blocks[i], std::min(blocks.size() - i, kBlocksACall), ray, tLo);
-        const std::size_t first = firstSlot + i * kBlockSize,
-                          lanes = std::min(shapes - i * kBlockSize, kLanesACall);
+        const std::size_t first = i * kBlockSize, lanes = std::min(shapes - first, kLanesACall);
         found &= ~std::uint64_t{0} >> (kLanesACall - lanes);
         if (found == 0) continue;
         if ((found & (found - 1)) == 0) {
-            const auto slot = static_cast<std::uint32_t>(first) +
-                              static_cast<std::uint32_t>(std::countr_zero(found));
+            const std::uint32_t slot =
+                slotOf(first + static_cast<std::size_t>(std::countr_zero(found)));
             if (!asking.isKnown(slot)) decideSlot(asking, question, slot);
             continue;
         }
@@ -261,14 +256,14 @@ template <class Question, class Block, class Kernel>
         int count = 0;
         for (; found != 0; found &= found - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(found));
-            candidates[count++] = {tLo[lane], static_cast<std::uint32_t>(first + lane)};
+            candidates[count++] = {tLo[lane], slotOf(first + lane)};
         }
         question = decideInOrder(asking, question, candidates, count);
     }
     return question;
 }
 
-template <class Question>
+template <Coordinates kCoordinates, class Question>
 [[gnu::noinline]] Question ShapeLists::askTree(const Asking& asking, Question question,
                                                FilterRay& ray) const {
     struct Walk {
@@ -282,37 +277,62 @@ template <class Question>
         return w.question.done() ? -1.0f : roundUp(w.question.limit() * w.asking.length);
     };
     ray.limit = roundUp(question.limit() * asking.length);
-    const WalkCounts counts = kernels_.walk({nodes_.data(), ballBlocks_.data(), boxBlocks_.data()},
-                                            ray, decideLeaf, &walk);
+    const auto& blocks = *std::get_if<Blocks<kCoordinates>>(&blocks_);
+    const WalkCounts counts =
+        blocks.kernels.walk({nodes_.data(), blocks.balls.data(), blocks.boxes.data(),
+                             ballFirst_.data(), boxFirst_.data()},
+                            ray, decideLeaf, &walk);
     asking.work[Work::NodeVisits] += counts.nodes;
     asking.work[Work::BallBlocks] += counts.ballBlocks;
     asking.work[Work::BoxBlocks] += counts.boxBlocks;
     return walk.question;
 }
 
+template <Coordinates kCoordinates, class Question>
+[[gnu::always_inline]] inline Question ShapeLists::askBlocks(const Asking& asking,
+                                                             Question question, FilterRay& ray,
+                                                             const FewShapes* few) const {
+    if (!few && !nodes_.empty()) return askTree<kCoordinates>(asking, question, ray);
+    const auto& blocks = *std::get_if<Blocks<kCoordinates>>(few ? &few->blocks : &blocks_);
+    asking.work[Work::BallBlocks] += blocks.balls.size();
+    asking.work[Work::BoxBlocks] += blocks.boxes.size();
+    const auto slot = [](std::size_t lane) { return static_cast<std::uint32_t>(lane); };
+    if (few) {
+        question = askFlat(asking, question, blocks.balls, few->balls.size(), blocks.kernels.balls,
+                           ray, [&](std::size_t lane) { return few->balls[lane]; });
+        return askFlat(asking, question, blocks.boxes, few->boxes.size(), blocks.kernels.boxes, ray,
+                       [&](std::size_t lane) { return few->boxes[lane]; });
+    }
+    question = askFlat(asking, question, blocks.balls, ballCount_, blocks.kernels.balls, ray, slot);
+    return askFlat(asking, question, blocks.boxes, boxCount_, blocks.kernels.boxes, ray,
+                   [&](std::size_t lane) { return ballCount_ + slot(lane); });
+}
+
 template <class Question>
 [[gnu::always_inline]] inline Question ShapeLists::ask(const Ray& ray, const MediaStack& media,
-                                                       Question question, WorkCounts& work) const {
+                                                       Question question, WorkCounts& work,
+                                                       const FewShapes* few) const {
     Asking asking(ray, media, work);
     if (!always_.empty()) question = decideEach(asking, question, always_);
     if (question.done()) return question;
     FilterRay filterRay;
-    const Fit fit =
-        unfiltered_ ? Fit::Unfit : prepare(ray, reach_, coordinates_, filterRay, asking.length);
+    const bool single = blocks_.index() == 0;
+    const Coordinates coordinates = single ? Coordinates::Single : Coordinates::Pairs;
+    // Where a tile sees nothing, as often, no more is to be known of the ray.
+    const Fit fit = unfiltered_                ? Fit::Unfit
+                    : few && few->isEmpty() ? Fit::Miss
+                                            : prepare(ray, reach_, coordinates, filterRay, asking.length);
     if (fit == Fit::Unfit) return decideEach(asking, decideEach(asking, question, balls_), boxes_);
     if (ray.fromShape != kNoShape || !media.empty()) question = decideKnown(asking, question);
     if (fit == Fit::Miss || question.done()) return question;
-    if (!nodes_.empty()) return askTree(asking, question, filterRay);
-    work[Work::BallBlocks] += ballBlocks_.size();
-    work[Work::BoxBlocks] += boxBlocks_.size();
-    question = askFlat(asking, question, ballBlocks_, 0, ballCount_, kernels_.balls, filterRay);
-    return askFlat(asking, question, boxBlocks_, ballCount_, boxCount_, kernels_.boxes, filterRay);
+    return single ? askBlocks<Coordinates::Single>(asking, question, filterRay, few)
+                  : askBlocks<Coordinates::Pairs>(asking, question, filterRay, few);
 }
 
 ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMax,
-                             WorkCounts& work) const {
+                             WorkCounts& work, const FewShapes* few) const {
     const Nearest question{this, coordinateSum(ray.origin), tMax};
-    return ask(ray, media, question, work).best;
+    return ask(ray, media, question, work, few).best;
 }
 ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMax) const {
     WorkCounts uncounted;
@@ -321,7 +341,7 @@ ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMa
 
 bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax,
                           std::uint32_t ignored, WorkCounts& work) const {
-    return ask(ray, media, Any{tMax, ignored}, work).hit;
+    return ask(ray, media, Any{tMax, ignored}, work, nullptr).hit;
 }
 bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax,
                           std::uint32_t ignored) const {
@@ -331,8 +351,10 @@ bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax,
 
 ShapeLists::Memory ShapeLists::memory() const {
     const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
-    return {bytes(nodes_) + bytes(slotOf_), bytes(always_) + bytes(balls_) + bytes(boxes_) +
-                                                bytes(ballBlocks_) + bytes(boxBlocks_)};
+    const std::size_t blocks = std::visit(
+        [&](const auto& b) { return bytes(b.balls) + bytes(b.boxes); }, blocks_);
+    return {bytes(nodes_) + bytes(slotOf_) + bytes(ballFirst_) + bytes(boxFirst_),
+            bytes(always_) + bytes(balls_) + bytes(boxes_) + blocks};
 }
 
 Crossing hitShape(const ShapeInstance& instance, std::uint32_t index, const Ray& ray,

@@ -5,6 +5,7 @@
 // (shape_blocks.h), in one flat list or, above kFlatShapes, in a hierarchy (bvh8.h).
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "tracer/base/work.h"
@@ -12,10 +13,14 @@
 #include "tracer/compile/media.h"
 #include "tracer/compile/shape_blocks.h"
 #include "tracer/math/ray.h"
+#include "tracer/math/ray_bundle.h"
 #include "tracer/scene/ids.h"
 #include "tracer/shapes/all.h"
 
 namespace glint {
+
+/// Half the lengths of a shape's box in its local space; of a plane's, a part.
+[[nodiscard]] DVec3 localHalf(const CanonicalShape& shape);
 
 /// One object's shape in render space (the scene's origin is subtracted). Local space is the
 /// shape's canonical space.
@@ -30,6 +35,11 @@ struct ShapeInstance {
     bool dielectric =
         false;  ///< closed, and its material has an inside: paths track it in a MediaStack
 
+    /// Whether rays meet the other where they meet this one.
+    [[nodiscard]] bool coincides(const ShapeInstance& other) const {
+        return shape == other.shape && localFromWorld == other.localFromWorld &&
+               center == other.center && dielectric == other.dielectric;
+    }
     [[nodiscard]] DVec3 localPoint(const DVec3& p) const { return localFromWorld * (p - center); }
     [[nodiscard]] DVec3 localVector(const DVec3& v) const { return localFromWorld * v; }
     /// Whether a point of render space is inside a closed shape.
@@ -61,6 +71,8 @@ struct ShapeHit {
 /// (glint-bench rays, AVX2): 128 balls take 80 ns a ray flat and 122 ns in the hierarchy, 128 mixed
 /// shapes 193 and 202; the ways meet near 200 shapes.
 inline constexpr std::size_t kFlatShapes = 128;
+/// A hierarchy whose boxes have grown by more than this factor is built anew.
+inline constexpr double kMostGrowth = 1.2;
 /// Up to this many are decided one after the other without the filter, which is the faster way from
 /// two on (53 against 38 Mray/s for three balls).
 inline constexpr std::size_t kUnfilteredShapes = 1;
@@ -74,15 +86,38 @@ inline constexpr std::size_t kUnfilteredShapes = 1;
     return t + 0x1p-48 * (t + place);  // Some ten roundings of the coordinates that t came from.
 }
 
+/// The filtered shapes of a list in blocks of eight, and what tests them.
+template <Coordinates kCoordinates>
+struct Blocks {
+    std::vector<BallBlock<kCoordinates>> balls;
+    std::vector<BoxBlock<kCoordinates>> boxes;
+    BlockKernels<kCoordinates> kernels{};
+};
+
+/// The shapes of a list that a bundle of rays can meet, in blocks of their own. Its memory serves one
+/// bundle after the other.
+struct FewShapes {
+    std::variant<Blocks<Coordinates::Single>, Blocks<Coordinates::Pairs>> blocks;
+    std::vector<std::uint32_t> balls, boxes;  ///< slots, in the order of the blocks' lanes
+    [[nodiscard]] bool isEmpty() const { return balls.empty() && boxes.empty(); }
+};
+/// Of more shapes than that there is no such list.
+inline constexpr std::size_t kMostFew = 64;
+
 class ShapeLists {
   public:
     ShapeLists() = default;
-    explicit ShapeLists(const std::vector<ShapeInstance>& instances);
+    /// `previous`: lists of the same shapes before they moved, if there are such. Their hierarchy is
+    /// then refitted, which takes a tenth of the time of a new one, unless that has grown by more
+    /// than kMostGrowth since it was built.
+    explicit ShapeLists(const std::vector<ShapeInstance>& instances,
+                        const ShapeLists* previous = nullptr);
 
     /// The nearest hit with t < tMax. Of hits that coincide up to rounding tieOrder() decides; of
-    /// equal ones the shape with the lower index wins. Adds what it took to `work`.
+    /// equal ones the shape with the lower index wins. Adds what it took to `work`. `few`: what
+    /// cull() found for a bundle that holds the ray; null: all shapes.
     [[nodiscard]] ShapeHit closest(const Ray& ray, const MediaStack& media, double tMax,
-                                   WorkCounts& work) const;
+                                   WorkCounts& work, const FewShapes* few = nullptr) const;
     [[nodiscard]] ShapeHit closest(const Ray& ray, const MediaStack& media,
                                    double tMax = kInfinity) const;
     /// Whether anything but `ignored` is hit before tMax.
@@ -90,6 +125,10 @@ class ShapeLists {
                                 std::uint32_t ignored, WorkCounts& work) const;
     [[nodiscard]] bool occluded(const Ray& ray, const MediaStack& media, double tMax,
                                 std::uint32_t ignored) const;
+
+    /// Finds the shapes that rays of the bundle can meet. False if they are more than kMostFew, or
+    /// all shapes are so few that it is not worth while.
+    [[nodiscard]] bool cull(const RayBundle& bundle, FewShapes& few) const;
 
     /// Bytes of the hierarchy (nodes and the map from shapes to slots), and of the shapes' own
     /// data.
@@ -104,9 +143,14 @@ class ShapeLists {
         [[nodiscard]] std::size_t total() const { return balls + boxes; }
     };
     [[nodiscard]] BlockCounts blockCounts() const {
-        return unfiltered_ ? BlockCounts{} : BlockCounts{ballBlocks_.size(), boxBlocks_.size()};
+        if (unfiltered_) return {};
+        return std::visit(
+            [](const auto& blocks) { return BlockCounts{blocks.balls.size(), blocks.boxes.size()}; },
+            blocks_);
     }
     [[nodiscard]] bool hasHierarchy() const { return !nodes_.empty(); }
+    /// Whether the hierarchy is a previous one with new boxes.
+    [[nodiscard]] bool isRefitted() const { return refitted_; }
     /// Whether some shape needs a 3 x 3 matrix.
     [[nodiscard]] bool hasMatrices() const { return !boxes_.empty() || !always_.empty(); }
 
@@ -138,27 +182,40 @@ class ShapeLists {
     static Crossing firstHit(const Entry& entry, const Ray& ray, Start start);
     void sortByKind(const std::vector<ShapeInstance>& instances);
     [[nodiscard]] Coordinates chooseCoordinates(const std::vector<ShapeInstance>& instances) const;
+    template <Coordinates kCoordinates>
+    bool cullBlocks(const RayBundle& bundle, FewShapes& few) const;
+    template <Coordinates kCoordinates>
     void buildFlat(const std::vector<ShapeInstance>& instances);
+    template <Coordinates kCoordinates>
     void buildTree(const std::vector<ShapeInstance>& instances);
-    void addBallBlock(std::size_t first, std::size_t count);
-    void addBoxBlock(std::size_t first, std::size_t count,
-                     const std::vector<ShapeInstance>& instances);
-    void findSlots(std::size_t instanceCount);
+    template <Coordinates kCoordinates>
+    [[nodiscard]] BallBlock<kCoordinates> ballBlock(std::size_t first, std::size_t count) const;
+    template <Coordinates kCoordinates>
+    [[nodiscard]] BoxBlock<kCoordinates> boxBlock(
+        std::size_t first, std::size_t count, const std::vector<ShapeInstance>& instances) const;
+    template <Coordinates kCoordinates>
+    [[nodiscard]] bool adoptTree(const std::vector<ShapeInstance>& instances,
+                                 const ShapeLists& previous);
+    template <Coordinates kCoordinates>
+    [[nodiscard]] double fillTree(const std::vector<ShapeInstance>& instances);
+    void sortBySlot();
 
     // A Question is Nearest or Any. Each of these answers with what it knows after its shapes have
     // been decided.
     template <class Question>
-    Question ask(const Ray& ray, const MediaStack& media, Question question,
-                 WorkCounts& work) const;
+    Question ask(const Ray& ray, const MediaStack& media, Question question, WorkCounts& work,
+                 const FewShapes* few) const;
     template <class Question, class List>
     static Question decideEach(const Asking& asking, Question question, const List& list);
     template <class Question>
     Question decideKnown(Asking& asking, Question question) const;
-    template <class Question, class Block, class Kernel>
+    template <class Question, class Block, class Kernel, class SlotOf>
     Question askFlat(const Asking& asking, Question question, const std::vector<Block>& blocks,
-                     std::uint32_t firstSlot, std::uint32_t shapes, Kernel kernel,
-                     FilterRay& ray) const;
-    template <class Question>
+                     std::size_t shapes, Kernel kernel, FilterRay& ray, SlotOf slotOf) const;
+    template <Coordinates kCoordinates, class Question>
+    Question askBlocks(const Asking& asking, Question question, FilterRay& ray,
+                       const FewShapes* few) const;
+    template <Coordinates kCoordinates, class Question>
     Question askTree(const Asking& asking, Question question, FilterRay& ray) const;
     template <class Question>
     Question decideInOrder(const Asking& asking, Question question, Candidate* candidates,
@@ -170,15 +227,15 @@ class ShapeLists {
         always_;  ///< decided for every ray: planes, and shapes too skewed for the filter
     std::vector<Ball> balls_;   ///< in the order of their blocks; slots from 0
     std::vector<Entry> boxes_;  ///< in the order of their blocks; slots follow those of the balls
-    std::vector<BallBlock> ballBlocks_;
-    std::vector<BoxBlock> boxBlocks_;
-    std::vector<Node8> nodes_;           ///< empty: the list is flat
+    std::variant<Blocks<Coordinates::Single>, Blocks<Coordinates::Pairs>> blocks_;
+    std::vector<Node8> nodes_;  ///< empty: the list is flat
+    std::vector<std::uint32_t> ballFirst_, boxFirst_;  ///< under nodes: see BlockTree
     std::vector<std::uint32_t> slotOf_;  ///< of each shape instance
+    double builtArea_ = 0;               ///< of the hierarchy's boxes when it was built [m^2]
+    bool refitted_ = false;
     double reach_ = 0;                   ///< largest absolute coordinate of a filtered shape
     std::uint32_t ballCount_ = 0, boxCount_ = 0;  ///< lengths of the two lists
-    Coordinates coordinates_ = Coordinates::Single;
     bool unfiltered_ = true;  ///< so few shapes that all are decided
-    BlockKernels kernels_{};
 };
 
 /// The first hit of a ray on one given shape, by the same predicate as the lists.

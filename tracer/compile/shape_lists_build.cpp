@@ -12,11 +12,18 @@ bool ShapeInstance::holds(const DVec3& p) const {
     return std::visit([local = localPoint(p)](const auto& s) { return s.inside(local); }, shape);
 }
 
+DVec3 localHalf(const CanonicalShape& shape) {
+    if (std::holds_alternative<CanonicalQuad>(shape) ||
+        std::holds_alternative<CanonicalDisk>(shape))
+        return {1, 0, 1};
+    if (const auto* torus = std::get_if<CanonicalTorus>(&shape))
+        return {1 + torus->ratio, torus->ratio, 1 + torus->ratio};
+    return DVec3(1.0);
+}
+
 DVec3 ShapeInstance::halfSize() const {
     if (std::holds_alternative<CanonicalPlane>(shape)) return DVec3(kInfinity);
-    DVec3 half(1.0);
-    if (const auto* torus = std::get_if<CanonicalTorus>(&shape))
-        half = {1 + torus->ratio, torus->ratio, 1 + torus->ratio};
+    const DVec3 half = localHalf(shape);
     return glm::abs(worldFromLocal[0]) * half.x + glm::abs(worldFromLocal[1]) * half.y +
            glm::abs(worldFromLocal[2]) * half.z;
 }
@@ -41,16 +48,6 @@ double similarityScale(const DMat3& m) {
                          near(glm::dot(m[0], m[1]), 0) && near(glm::dot(m[0], m[2]), 0) &&
                          near(glm::dot(m[1], m[2]), 0);
     return similar ? std::sqrt(s) : 0;
-}
-
-/// Half the lengths of a shape's box in its local space.
-DVec3 localHalf(const CanonicalShape& shape) {
-    if (std::holds_alternative<CanonicalQuad>(shape) ||
-        std::holds_alternative<CanonicalDisk>(shape))
-        return {1, 0, 1};
-    if (const auto* torus = std::get_if<CanonicalTorus>(&shape))
-        return {1 + torus->ratio, torus->ratio, 1 + torus->ratio};
-    return DVec3(1.0);
 }
 
 DVec3 row(const DMat3& m, int i) { return {m[0][i], m[1][i], m[2][i]}; }
@@ -90,30 +87,33 @@ BoundedShape bounded(const ShapeInstance& instance, std::uint32_t index) {
     return out;
 }
 
-template <class Block>
-void setCenter(Block& block, std::size_t lane, const DVec3& center) {
+template <Coordinates kCoordinates>
+void setCenter(Centers<kCoordinates>& centers, std::size_t lane, const DVec3& center) {
     for (int axis = 0; axis < 3; ++axis) {
-        block.centerHi[axis][lane] = static_cast<float>(center[axis]);
-        block.centerLo[axis][lane] =
-            static_cast<float>(center[axis] - static_cast<double>(block.centerHi[axis][lane]));
+        const auto hi = static_cast<float>(center[axis]);
+        centers.hi[axis][lane] = hi;
+        if constexpr (kCoordinates == Coordinates::Pairs)
+            centers.lo[axis][lane] = static_cast<float>(center[axis] - static_cast<double>(hi));
     }
 }
 
 }  // namespace
 
-ShapeLists::ShapeLists(const std::vector<ShapeInstance>& instances) {
+ShapeLists::ShapeLists(const std::vector<ShapeInstance>& instances, const ShapeLists* previous) {
     sortByKind(instances);
     ballCount_ = static_cast<std::uint32_t>(balls_.size());
     boxCount_ = static_cast<std::uint32_t>(boxes_.size());
     const std::size_t filterable = balls_.size() + boxes_.size();
     unfiltered_ = filterable <= kUnfilteredShapes;
-    coordinates_ = filterable <= kFlatShapes ? chooseCoordinates(instances) : Coordinates::Pairs;
-    kernels_ = blockKernels(coordinates_);
-    if (filterable <= kFlatShapes)
-        buildFlat(instances);
-    else
-        buildTree(instances);
-    findSlots(instances.size());
+    const auto build = [&]<Coordinates kCoordinates>() {
+        blocks_.emplace<Blocks<kCoordinates>>().kernels = blockKernels<kCoordinates>();
+        if (filterable <= kFlatShapes) return buildFlat<kCoordinates>(instances);
+        refitted_ = previous && adoptTree<kCoordinates>(instances, *previous);
+        if (!refitted_) buildTree<kCoordinates>(instances);
+    };
+    chooseCoordinates(instances) == Coordinates::Single
+        ? build.operator()<Coordinates::Single>()
+        : build.operator()<Coordinates::Pairs>();
 }
 
 void ShapeLists::sortByKind(const std::vector<ShapeInstance>& instances) {
@@ -150,83 +150,137 @@ Coordinates ShapeLists::chooseCoordinates(const std::vector<ShapeInstance>& inst
                                                                          : Coordinates::Pairs;
 }
 
+template <Coordinates kCoordinates>
 void ShapeLists::buildFlat(const std::vector<ShapeInstance>& instances) {
     std::stable_sort(boxes_.begin(), boxes_.end(), [](const Entry& a, const Entry& b) {
         return a.shape.index() < b.shape.index();
     });
+    auto& blocks = std::get<Blocks<kCoordinates>>(blocks_);
+    const auto count = [](std::size_t first, std::size_t end) {
+        return std::min<std::size_t>(kBlockSize, end - first);
+    };
     for (std::size_t i = 0; i < balls_.size(); i += kBlockSize)
-        addBallBlock(i, std::min<std::size_t>(kBlockSize, balls_.size() - i));
+        blocks.balls.push_back(ballBlock<kCoordinates>(i, count(i, balls_.size())));
     for (std::size_t i = 0; i < boxes_.size(); i += kBlockSize)
-        addBoxBlock(i, std::min<std::size_t>(kBlockSize, boxes_.size() - i), instances);
+        blocks.boxes.push_back(boxBlock<kCoordinates>(i, count(i, boxes_.size()), instances));
+    slotOf_.assign(instances.size(), kNoShape);
+    std::uint32_t slot = 0;
+    for (const Ball& ball : balls_) slotOf_[ball.index] = slot++;
+    for (const Entry& entry : boxes_) slotOf_[entry.index] = slot++;
 }
 
+template <Coordinates kCoordinates>
 void ShapeLists::buildTree(const std::vector<ShapeInstance>& instances) {
     std::vector<BoundedShape> shapes;
     shapes.reserve(balls_.size() + boxes_.size());
-    for (std::size_t i = 0; i < balls_.size(); ++i)
-        shapes.push_back(
-            bounded(instances[balls_[i].index], static_cast<std::uint32_t>(i) | kBallBit));
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
-        shapes.push_back(bounded(instances[boxes_[i].index], static_cast<std::uint32_t>(i)));
-    Hierarchy tree = buildHierarchy(shapes, static_cast<int>(std::thread::hardware_concurrency()));
-
-    std::vector<Ball> balls;
-    std::vector<Entry> boxes;
-    balls.reserve(balls_.size());
-    boxes.reserve(boxes_.size());
-    for (const BoundedShape& shape : shapes) {
-        if (shape.index & kBallBit)
-            balls.push_back(balls_[shape.index & kChildMask]);
-        else
-            boxes.push_back(boxes_[shape.index]);
-    }
-    balls_ = std::move(balls);
-    boxes_ = std::move(boxes);
-    nodes_ = std::move(tree.nodes);
+    for (const Ball& ball : balls_)
+        shapes.push_back(bounded(instances[ball.index], ball.index | kBallBit));
+    for (const Entry& entry : boxes_)
+        shapes.push_back(bounded(instances[entry.index], entry.index));
+    Hierarchy tree =
+        buildHierarchy(shapes, static_cast<int>(std::thread::hardware_concurrency()));
 
     // Leaves are numbered in the order of their shapes; their blocks by kind.
+    slotOf_.assign(instances.size(), kNoShape);
+    ballFirst_.clear(), boxFirst_.clear();
     std::vector<std::uint32_t> blockOf;
     blockOf.reserve(tree.leaves.size());
-    std::size_t ball = 0, box = 0;
+    std::uint32_t ball = 0, box = ballCount_;
     for (const Leaf& leaf : tree.leaves) {
-        if (shapes[leaf.begin].index & kBallBit) {
-            blockOf.push_back(static_cast<std::uint32_t>(ballBlocks_.size()));
-            addBallBlock(ball, leaf.count);
-            ball += leaf.count;
-        } else {
-            blockOf.push_back(static_cast<std::uint32_t>(boxBlocks_.size()));
-            addBoxBlock(box, leaf.count, instances);
-            box += leaf.count;
-        }
+        const bool balls = (shapes[leaf.begin].index & kBallBit) != 0;
+        std::vector<std::uint32_t>& first = balls ? ballFirst_ : boxFirst_;
+        std::uint32_t& slot = balls ? ball : box;
+        blockOf.push_back(static_cast<std::uint32_t>(first.size()));
+        first.push_back(slot);
+        for (std::uint32_t i = leaf.begin; i < leaf.begin + leaf.count; ++i)
+            slotOf_[shapes[i].index & kChildMask] = slot++;
     }
+    ballFirst_.push_back(ball);
+    boxFirst_.push_back(box);
+    nodes_ = std::move(tree.nodes);
     for (Node8& node : nodes_)
         for (std::uint32_t& child : node.child)
-            if (child & kLeafBit) child = (child & ~kChildMask) | blockOf[child & kChildMask];
+            if (child != kNoChild && (child & kLeafBit))
+                child = (child & ~kChildMask) | blockOf[child & kChildMask];
+    builtArea_ = fillTree<kCoordinates>(instances);
 }
 
-void ShapeLists::addBallBlock(std::size_t first, std::size_t count) {
-    BallBlock& block = ballBlocks_.emplace_back();
-    block.first = static_cast<std::uint32_t>(first);
-    block.count = static_cast<std::uint32_t>(count);
+template <Coordinates kCoordinates>
+bool ShapeLists::adoptTree(const std::vector<ShapeInstance>& instances,
+                           const ShapeLists& previous) {
+    if (previous.nodes_.empty() || previous.slotOf_.size() != instances.size() ||
+        previous.ballCount_ != ballCount_ || previous.boxCount_ != boxCount_)
+        return false;
+    for (const Ball& ball : balls_)
+        if (previous.slotOf_[ball.index] >= ballCount_) return false;
+    for (const Entry& entry : boxes_)
+        if (const std::uint32_t slot = previous.slotOf_[entry.index];
+            slot < ballCount_ || slot == kNoShape)
+            return false;
+    slotOf_ = previous.slotOf_;
+    ballFirst_ = previous.ballFirst_, boxFirst_ = previous.boxFirst_;
+    nodes_ = previous.nodes_;
+    builtArea_ = previous.builtArea_;
+    return fillTree<kCoordinates>(instances) <= kMostGrowth * builtArea_;
+}
+
+/// Puts shapes, blocks and boxes where the slots and the nodes say. Answers with refit().
+template <Coordinates kCoordinates>
+double ShapeLists::fillTree(const std::vector<ShapeInstance>& instances) {
+    sortBySlot();
+    auto& blocks = std::get<Blocks<kCoordinates>>(blocks_);
+    blocks.balls.clear(), blocks.boxes.clear();
+    for (std::size_t i = 0; i + 1 < ballFirst_.size(); ++i)
+        blocks.balls.push_back(
+            ballBlock<kCoordinates>(ballFirst_[i], ballFirst_[i + 1] - ballFirst_[i]));
+    for (std::size_t i = 0; i + 1 < boxFirst_.size(); ++i)
+        blocks.boxes.push_back(boxBlock<kCoordinates>(
+            boxFirst_[i] - ballCount_, boxFirst_[i + 1] - boxFirst_[i], instances));
+    return refit(nodes_, kCoordinates, [&](std::uint32_t child) {
+        Bounds out;
+        const std::uint32_t block = child & kChildMask;
+        if (child & kBallBit)
+            for (std::uint32_t slot = ballFirst_[block]; slot < ballFirst_[block + 1]; ++slot)
+                out.add(bounded(instances[balls_[slot].index], slot));
+        else
+            for (std::uint32_t slot = boxFirst_[block]; slot < boxFirst_[block + 1]; ++slot)
+                out.add(bounded(instances[boxes_[slot - ballCount_].index], slot));
+        return out;
+    });
+}
+
+void ShapeLists::sortBySlot() {
+    const auto sorted = [&](const auto& list, std::uint32_t first) {
+        std::remove_cvref_t<decltype(list)> out(list.size());
+        for (const auto& shape : list) out[slotOf_[shape.index] - first] = shape;
+        return out;
+    };
+    balls_ = sorted(balls_, 0);
+    boxes_ = sorted(boxes_, ballCount_);
+}
+
+template <Coordinates kCoordinates>
+BallBlock<kCoordinates> ShapeLists::ballBlock(std::size_t first, std::size_t count) const {
+    BallBlock<kCoordinates> block{};
     for (std::size_t lane = 0; lane < count; ++lane) {
         const Ball& ball = balls_[first + lane];
-        setCenter(block, lane, ball.center);
+        setCenter(block.center, lane, ball.center);
         block.radius[lane] = static_cast<float>((1 + double{kBallMargin}) / ball.inverseRadius);
     }
+    return block;
 }
 
-void ShapeLists::addBoxBlock(std::size_t first, std::size_t count,
-                             const std::vector<ShapeInstance>& instances) {
-    BoxBlock& block = boxBlocks_.emplace_back();
-    block.first = static_cast<std::uint32_t>(balls_.size() + first);
-    block.count = static_cast<std::uint32_t>(count);
+template <Coordinates kCoordinates>
+BoxBlock<kCoordinates> ShapeLists::boxBlock(std::size_t first, std::size_t count,
+                                            const std::vector<ShapeInstance>& instances) const {
+    BoxBlock<kCoordinates> block{};
     for (std::size_t lane = 0; lane < count; ++lane) {
         const Entry& entry = boxes_[first + lane];
         const ShapeInstance& instance = instances[entry.index];
         const DVec3 half = localHalf(entry.shape);
         double radius = 0;
         for (int i = 0; i < 3; ++i) radius += half[i] * glm::length(instance.worldFromLocal[i]);
-        setCenter(block, lane, entry.center);
+        setCenter(block.center, lane, entry.center);
         for (int slab = 0; slab < 3; ++slab) {
             const DVec3 normal = row(entry.localFromWorld, slab);
             const double scale = glm::length(normal);
@@ -236,13 +290,7 @@ void ShapeLists::addBoxBlock(std::size_t first, std::size_t count,
                 static_cast<float>(half[slab] / scale + double{kBoxMargin} * radius);
         }
     }
-}
-
-void ShapeLists::findSlots(std::size_t instanceCount) {
-    slotOf_.assign(instanceCount, kNoShape);
-    std::uint32_t slot = 0;
-    for (const Ball& ball : balls_) slotOf_[ball.index] = slot++;
-    for (const Entry& entry : boxes_) slotOf_[entry.index] = slot++;
+    return block;
 }
 
 }  // namespace glint

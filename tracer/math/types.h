@@ -30,6 +30,10 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 [[nodiscard]] inline bool isFinite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
+/// At least the largest absolute coordinate.
+[[nodiscard]] inline double coordinateSum(const DVec3& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
 [[nodiscard]] inline double maxComponent(const DVec3& v) { return std::max(v.x, std::max(v.y, v.z)); }
 [[nodiscard]] inline float maxComponent(const Vec3& v) { return std::max(v.x, std::max(v.y, v.z)); }
 

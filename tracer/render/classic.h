@@ -59,7 +59,8 @@ class ClassicTracer {
     /// Adds the light that arrives along the branch.
     void trace(Branch branch) {
         if (state_.stop()) return;
-        const ShapeHit hit = scene_.lists.closest(branch.ray, branch.media, kInfinity, state_.work);
+        const FewShapes* few = branch.depth == 0 ? state_.seen : nullptr;
+        const ShapeHit hit = scene_.lists->closest(branch.ray, branch.media, kInfinity, state_.work, few);
         if constexpr (has(F, Feature::Media))
             if (!branch.media.empty())
                 branch.weight *= transmittance<F>(mediumOf(scene_, fillingShape(scene_, branch.media)), hit.t, state_.work);

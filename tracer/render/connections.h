@@ -282,7 +282,7 @@ class Connections {
 
     [[nodiscard]] bool isClear(const Ray& ray, const MediaStack& media, double distance, std::uint32_t ignored) {
         ++state_.rays.shadow;
-        return !scene_.lists.occluded(ray, media, distance, ignored, state_.work);
+        return !scene_.lists->occluded(ray, media, distance, ignored, state_.work);
     }
     [[nodiscard]] bool isClearInside(const Caster& caster, const Way& way) {
         for (int i = 0; i + 1 < way.meetings(); ++i) {

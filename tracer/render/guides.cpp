@@ -44,7 +44,7 @@ GuideSample traceGuide(const RenderScene& scene, int x, int y, std::uint32_t sam
     double way = 0;
     bool first = true;
     for (int surfaces = 0; surfaces < kMostSurfaces; ++surfaces) {
-        const ShapeHit hit = scene.lists.closest(ray, media, kInfinity, state.work);
+        const ShapeHit hit = scene.lists->closest(ray, media, kInfinity, state.work);
         if (!hit.found()) break;
         way += hit.t;
         out.seenAlbedo *= transmittance<kAllFeatures>(mediumOf(scene, fillingShape(scene, media)), hit.t, state.work);

@@ -37,6 +37,7 @@ struct KernelState {
     LayerSample* layers = nullptr;  ///< filled by kernels with Feature::Layers
     PathRecord* record = nullptr;   ///< if not null: filled by kernels with Feature::Layers, see path_record.h
     GroupLight* groups = nullptr;   ///< if not null: filled with the sample's light by group
+    const FewShapes* seen = nullptr;  ///< if not null: all shapes that the camera's ray can meet
     std::uint64_t materials = 0;    ///< set of the materials whose values the sample rests on, see materialBit()
     WorkCounts work;
 

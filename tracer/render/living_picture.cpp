@@ -35,7 +35,7 @@ void LivingPicture::takeUp(Wish wish) {
     Scene next = wish_.scene;
     next.film.width = wish_.width;
     next.film.height = wish_.height;
-    if (!std::exchange(samplesHold_, true)) return restart(std::move(next));
+    if (!std::exchange(samplesHold_, true)) return restart(std::move(next), true);
     EditPlan plan = planFor(picture_, next, wish_.assetFolder);
     // With a region only its pixels follow an edit, and those outside may be of an older scene: all or nothing in it.
     const bool whole = !wish_.region && !restIsOld_;
@@ -108,8 +108,8 @@ bool LivingPicture::retrace(const Scene& next, const EditPlan& plan) {
     return true;
 }
 
-void LivingPicture::restart(Scene next) {
-    auto compiled = compile(next, wish_.assetFolder, assets_, picture_.scene);
+void LivingPicture::restart(Scene next, bool assetsChanged) {
+    auto compiled = assetsChanged ? compile(next, wish_.assetFolder, assets_, picture_.scene) : compileNext(next);
     if (!compiled.ok()) {
         picture_.warnings = {compiled.error()};
         return;
@@ -156,9 +156,19 @@ void LivingPicture::forgetProgress() {
     firstPassPending_ = true;
 }
 
+/// The camera alone needs no compiling.
+Result<Compiled> LivingPicture::compileNext(const Scene& next) {
+    if (!picture_.scene || picture_.assetFolder != wish_.assetFolder || !sameButView(picture_.traced, next))
+        return compile(next, wish_.assetFolder, assets_, picture_.scene);
+    auto seen = withView(*picture_.scene, next);
+    if (!seen.ok()) return seen.error();
+    return Compiled{std::move(seen).value(), picture_.compileWarnings, {}};
+}
+
 void LivingPicture::adopt(Compiled compiled) {
     picture_.warnings.clear();
     for (const CompileWarning& warning : compiled.warnings) picture_.warnings.push_back(warning.error);
+    picture_.compileWarnings = std::move(compiled.warnings);
     picture_.scene = std::move(compiled.scene);
 }
 

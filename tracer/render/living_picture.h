@@ -69,7 +69,8 @@ class LivingPicture {
 
     void keep(const LightMix& mix);
     bool retrace(const Scene& next, const EditPlan& plan);
-    void restart(Scene next);
+    void restart(Scene next, bool assetsChanged = false);
+    [[nodiscard]] Result<Compiled> compileNext(const Scene& next);
     void adopt(Compiled compiled);
     void prepareFilm(bool sameSize);
     void forgetProgress();

@@ -51,7 +51,8 @@ class PathTracer {
     void follow(Path path) {
         int hidden = 0;
         while (!state_.stop()) {
-            const ShapeHit hit = scene_.lists.closest(path.ray, path.media, kInfinity, state_.work);
+            const FewShapes* few = path.depth == 0 ? state_.seen : nullptr;
+            const ShapeHit hit = scene_.lists->closest(path.ray, path.media, kInfinity, state_.work, few);
             if constexpr (has(F, Feature::Media))
                 if (!path.media.empty())
                     path.throughput *= transmittance<F>(mediumOf(scene_, fillingShape(scene_, path.media)), hit.t, state_.work);
@@ -379,7 +380,7 @@ class PathTracer {
             if (isBlack(f.f)) return;
             const Ray ray = point.ray(apart / distance, wi.z < 0);
             ++state_.rays.scatter;
-            const ShapeHit hit = scene_.lists.closest(ray, {}, kInfinity, state_.work);
+            const ShapeHit hit = scene_.lists->closest(ray, {}, kInfinity, state_.work);
             constexpr double kSame = 1e-6;
             if (hit.shape != surface.shape || hit.face != aim.face || !(std::abs(hit.t - distance) <= kSame * distance)) return;
             const double weight = Heuristic::lightWeight(density, static_cast<double>(f.pdf) * static_cast<double>(smoothChance));

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "tracer/base/result.h"
+#include "tracer/compile/compiler.h"
 #include "tracer/render/edit_plan.h"
 #include "tracer/render/scheduler.h"
 #include "tracer/render/tile_error.h"
@@ -20,7 +21,8 @@ struct Picture {
     std::filesystem::path assetFolder;
     LightGroups groups{Scene{}};
     std::shared_ptr<const RenderScene> scene;  ///< `traced`, compiled; null: there is no picture
-    std::vector<Error> warnings;
+    std::vector<CompileWarning> compileWarnings;  ///< of `scene`
+    std::vector<Error> warnings;                  ///< the same for people, or why the last edit is not shown
     Film film;
     RenderCounts counts;
     double seconds = 0;

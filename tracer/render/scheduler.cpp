@@ -1,6 +1,8 @@
 #include "tracer/render/scheduler.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace glint {
 
@@ -9,6 +11,7 @@ namespace {
 /// One worker's share of a pass; padded so that workers do not write to the same cache line.
 struct alignas(64) WorkerCounts {
     RenderCounts counts;
+    FewShapes seen;  ///< of the piece that it is at
     bool cancelled = false, partial = false;
 };
 
@@ -34,6 +37,7 @@ class Pass {
           goal_(goal),
           cancel_(cancel),
           kernel_(chooseKernel(scene, wanted | (layers ? static_cast<Features>(Feature::Layers) : 0)).run),
+          culls_(!has(wanted, Feature::NoSkips)),
           // A piece of a coarse pass covers more pixels, so that it holds as many samples as any other. Pieces are made of whole
           // tiles of the film, which have one writer at a time.
           size_(Film::kTile * std::min(stride, 16)),
@@ -50,15 +54,31 @@ class Pass {
         KernelState state{.scene = scene_, .cancel = cancel_, .layers = &layerSample, .groups = film_.groups() > 1 ? &groups : nullptr};
         const int left = (firstColumn_ + piece % columns_) * size_, top = (firstRow_ + piece / columns_) * size_;
         const int x1 = std::min(left + size_, rect_.x + rect_.width), y1 = std::min(top + size_, rect_.y + rect_.height);
-        for (int y = onGrid(std::max(top, rect_.y)); y < y1 && !own.cancelled; y += stride_)
-            for (int x = onGrid(std::max(left, rect_.x)); x < x1 && !own.cancelled; x += stride_) renderPixel(state, x, y, own);
+        const int x0 = onGrid(std::max(left, rect_.x)), y0 = onGrid(std::max(top, rect_.y));
+        bool culled = false;
+        for (int y = y0; y < y1 && !own.cancelled; y += stride_)
+            for (int x = x0; x < x1 && !own.cancelled; x += stride_) {
+                if (film_.samples(x, y) >= goalOf(x, y)) continue;
+                if (!std::exchange(culled, true)) state.seen = shapesSeen(x0, y0, x1, y1, own.seen);
+                renderPixel(state, x, y, own);
+            }
         merge(own.counts, {state.rays, state.work, 0, {}});
     }
 
   private:
     [[nodiscard]] int onGrid(int v) const { return (v + stride_ - 1) / stride_ * stride_; }
+    [[nodiscard]] std::uint32_t goalOf(int x, int y) const { return goal_.cells ? goal_.cells->at(x, y) : goal_.samples; }
+
+    /// The shapes that camera rays of these pixels can meet; null: it may be any.
+    const FewShapes* shapesSeen(int x0, int y0, int x1, int y1, FewShapes& few) const {
+        if (!culls_) return nullptr;
+        const double margin = scene_.film.filterRadius - 0.5;
+        const std::optional<RayBundle> bundle = scene_.camera.bundle(x0 - margin, y0 - margin, x1 + margin, y1 + margin);
+        return bundle && scene_.lists->cull(*bundle, few) ? &few : nullptr;
+    }
+
     void renderPixel(KernelState& state, int x, int y, WorkerCounts& own) {
-        const std::uint32_t goal = goal_.cells ? goal_.cells->at(x, y) : goal_.samples, begin = film_.samples(x, y);
+        const std::uint32_t goal = goalOf(x, y), begin = film_.samples(x, y);
         for (std::uint32_t sample = begin; sample < goal; ++sample) {
             if (sample - begin >= goal_.most) {
                 own.partial = true;
@@ -90,6 +110,7 @@ class Pass {
     const SampleGoal& goal_;
     const CancelToken& cancel_;
     KernelFunction kernel_;
+    bool culls_;
     int size_, firstColumn_, firstRow_, columns_, rows_;
 };
 

@@ -33,14 +33,14 @@ template <Features F>
     ++state.rays.shadow;
     const bool opaque = !has(F, Feature::NoSkips) && !has(scene.features, Feature::Straight);
     if ((!has(F, Feature::Straight) || opaque) && !tinted) {
-        if (scene.lists.occluded(ray, media, tMax, light, state.work)) return Rgb(0.0f);
+        if (scene.lists->occluded(ray, media, tMax, light, state.work)) return Rgb(0.0f);
         if constexpr (has(F, Feature::Media))
             share = transmittance<F>(mediumOf(scene, fillingShape(scene, media)), tMax, state.work);
         return share;
     }
     while (true) {
         ++state.work[Work::ShadowSteps];
-        const ShapeHit hit = scene.lists.closest(ray, media, tMax, state.work);
+        const ShapeHit hit = scene.lists->closest(ray, media, tMax, state.work);
         const bool toLight = hit.found() && hit.shape == light, arrived = !hit.found() || toLight;
         if constexpr (has(F, Feature::Media))
             share *= transmittance<F>(mediumOf(scene, fillingShape(scene, media)), arrived ? tMax : hit.t, state.work);

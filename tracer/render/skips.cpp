@@ -13,7 +13,7 @@ bool lacks(const RenderScene& scene) {
     return !has(scene.features, kFeature);
 }
 
-bool hasNoFilter(const RenderScene& scene) { return scene.lists.blockCounts().total() == 0; }
+bool hasNoFilter(const RenderScene& scene) { return scene.lists->blockCounts().total() == 0; }
 
 bool absorbsNothing(const RenderScene& scene) {
     return std::ranges::none_of(scene.shapes, [&](const ShapeInstance& shape) {
@@ -25,13 +25,13 @@ constexpr Skip kSkips[] = {
     {"no shapes: no lists", Work::ShapeTests, [](const RenderScene& s) { return s.shapes.empty(); }},
     {"no shapes: no balls", Work::BallTests, [](const RenderScene& s) { return s.shapes.empty(); }},
     {"few shapes: no hierarchy", Work::NodeVisits,
-     [](const RenderScene& s) { return !s.lists.hasHierarchy(); }},
+     [](const RenderScene& s) { return !s.lists->hasHierarchy(); }},
     {"no balls to filter", Work::BallBlocks,
-     [](const RenderScene& s) { return hasNoFilter(s) || s.lists.blockCounts().balls == 0; }},
+     [](const RenderScene& s) { return hasNoFilter(s) || s.lists->blockCounts().balls == 0; }},
     {"only balls to filter: no boxes", Work::BoxBlocks,
-     [](const RenderScene& s) { return hasNoFilter(s) || s.lists.blockCounts().boxes == 0; }},
+     [](const RenderScene& s) { return hasNoFilter(s) || s.lists->blockCounts().boxes == 0; }},
     {"no turned shapes: no matrices", Work::MatrixTests,
-     [](const RenderScene& s) { return !s.lists.hasMatrices(); }},
+     [](const RenderScene& s) { return !s.lists->hasMatrices(); }},
     {"no sky: lost rays end at nothing", Work::SkyLookups, lacks<Feature::Sky>},
     {"no environment picture: no look-ups", Work::MapLookups,
      [](const RenderScene& s) { return s.lights.environment.map == nullptr; }},

@@ -12,6 +12,7 @@ namespace glint {
 
 struct CanonicalBox {
     static constexpr bool closed = true, convex = true;
+    bool operator==(const CanonicalBox&) const = default;
 
     /// Slabs. A ray within a slab's bounding plane counts as inside that slab, so no 0 * infinity
     /// arises.

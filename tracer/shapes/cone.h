@@ -10,6 +10,7 @@ namespace glint {
 
 struct CanonicalCone {
     static constexpr bool closed = true, convex = true;
+    bool operator==(const CanonicalCone&) const = default;
 
     [[nodiscard]] Span span(const DVec3& o, const DVec3& d) const {
         Span out = nappe(o, d);

@@ -9,6 +9,7 @@ namespace glint {
 
 struct CanonicalCylinder {
     static constexpr bool closed = true, convex = true;
+    bool operator==(const CanonicalCylinder&) const = default;
 
     /// Tube and slab give one span, so side and cap share the value at the rim and no gap can open.
     [[nodiscard]] Span span(const DVec3& o, const DVec3& d) const {

@@ -9,6 +9,7 @@ namespace glint {
 
 struct CanonicalDisk {
     static constexpr bool closed = false, convex = true;
+    bool operator==(const CanonicalDisk&) const = default;
 
     [[nodiscard]] Crossing first(const DVec3& o, const DVec3& d, Start start) const {
         if (start == Start::Leaving || start == Start::Entering || d.y == 0) return {};

@@ -10,6 +10,7 @@ namespace glint {
 
 struct CanonicalPlane {
     static constexpr bool closed = true, convex = true;
+    bool operator==(const CanonicalPlane&) const = default;
 
     [[nodiscard]] Span span(const DVec3& o, const DVec3& d) const {
         if (d.y == 0) return o.y < 0 ? Span{-kInfinity, kInfinity} : Span{};

@@ -10,6 +10,7 @@ namespace glint {
 
 struct CanonicalQuad {
     static constexpr bool closed = false, convex = true;
+    bool operator==(const CanonicalQuad&) const = default;
 
     [[nodiscard]] Crossing first(const DVec3& o, const DVec3& d, Start start) const {
         if (start == Start::Leaving || start == Start::Entering || d.y == 0) return {};

@@ -11,6 +11,7 @@ namespace glint {
 /// The unit sphere.
 struct CanonicalSphere {
     static constexpr bool closed = true, convex = true;
+    bool operator==(const CanonicalSphere&) const = default;
 
     /// Perpendicular discriminant (Haines et al., Ray Tracing Gems, ch. 7). `d` need not have unit
     /// length.

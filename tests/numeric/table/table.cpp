@@ -134,13 +134,13 @@ std::string spawnRow(double radius, double away) {
     while (ours.rays < kRays) {
         const Ray ray = rayTo(center + 4 * radius * random.direction(),
                               center + 0.9 * radius * random.direction());
-        const ShapeHit hit = world.scene.lists.closest(ray, {});
+        const ShapeHit hit = world.scene.lists->closest(ray, {});
         const double t = rivals::gems7(ray.origin, ray.direction, center, radius);
         if (!hit.found() || !(t < kInfinity)) continue;
         const SurfacePoint point = world.point(ray, hit);
         const Vec3 up = randomUp(random);
         const Ray out = point.ray(up);
-        ours.add(world.scene.lists.closest(out, {}).found(), offSurface(out.origin));
+        ours.add(world.scene.lists->closest(out, {}).found(), offSurface(out.origin));
         // The others: point, normal and direction in float, and a hit is any t above 0.
         const Vec3 p = Vec3(ray.origin) + static_cast<float>(t) * Vec3(ray.direction),
                    n = glm::normalize(p - Vec3(center)),

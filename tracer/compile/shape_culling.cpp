@@ -1,0 +1,108 @@
+// Which shapes a bundle of rays can meet. One search for a tile of the film serves all of its camera
+// rays.
+#include <cstring>
+
+#include "tracer/compile/shape_lists.h"
+
+namespace glint {
+
+namespace {
+
+/// Copies one shape's column of floats.
+template <class Block>
+void copyLane(Block& to, std::size_t toLane, const Block& from, std::size_t fromLane) {
+    static_assert(sizeof(Block) % (kBlockSize * sizeof(float)) == 0);
+    for (std::size_t row = 0; row < sizeof(Block) / sizeof(float); row += kBlockSize)
+        std::memcpy(reinterpret_cast<char*>(&to) + sizeof(float) * (row + toLane),
+                    reinterpret_cast<const char*>(&from) + sizeof(float) * (row + fromLane),
+                    sizeof(float));
+}
+
+template <class Block>
+void addLane(std::vector<Block>& blocks, std::vector<std::uint32_t>& slots, const Block& from,
+             std::size_t lane, std::uint32_t slot) {
+    if (slots.size() % kBlockSize == 0) blocks.emplace_back();
+    copyLane(blocks.back(), slots.size() % kBlockSize, from, lane);
+    slots.push_back(slot);
+}
+
+/// More than what rounding takes off an extent.
+constexpr double kExtentMargin = 1 + 1e-5;
+
+}  // namespace
+
+template <Coordinates kCoordinates>
+bool ShapeLists::cullBlocks(const RayBundle& bundle, FewShapes& few) const {
+    using Few = Blocks<kCoordinates>;
+    if (!std::holds_alternative<Few>(few.blocks)) few.blocks.emplace<Few>();
+    Few& to = std::get<Few>(few.blocks);
+    const Few& from = std::get<Few>(blocks_);
+    to.balls.clear(), to.boxes.clear(), few.balls.clear(), few.boxes.clear();
+    to.kernels = from.kernels;
+
+    const auto addBall = [&](const BallBlock<kCoordinates>& block, std::size_t lane,
+                             std::uint32_t slot) {
+        const Ball& ball = balls_[slot];
+        const double radius = kExtentMargin / ball.inverseRadius;
+        if (!bundle.misses(ball.center, [&](const DVec3&) { return radius; }))
+            addLane(to.balls, few.balls, block, lane, slot);
+    };
+    const auto addBox = [&](const BoxBlock<kCoordinates>& block, std::size_t lane,
+                            std::uint32_t slot) {
+        const Entry& entry = boxes_[slot - ballCount_];
+        const DMat3 axes = glm::inverse(entry.localFromWorld);
+        const DVec3 half = kExtentMargin * localHalf(entry.shape);
+        const auto extent = [&](const DVec3& normal) {
+            return glm::dot(glm::abs(normal * axes), half);
+        };
+        if (!bundle.misses(entry.center, extent)) addLane(to.boxes, few.boxes, block, lane, slot);
+    };
+
+    if (nodes_.empty()) {
+        for (std::uint32_t i = 0; i < ballCount_; ++i)
+            addBall(from.balls[i / kBlockSize], i % kBlockSize, i);
+        for (std::uint32_t i = 0; i < boxCount_; ++i)
+            addBox(from.boxes[i / kBlockSize], i % kBlockSize, ballCount_ + i);
+        return few.balls.size() + few.boxes.size() <= kMostFew;
+    }
+    std::uint32_t waiting[7 * kMaxTreeDepth + 8] = {0};
+    for (std::size_t count = 1; count > 0;) {
+        const Node8& node = nodes_[waiting[--count]];
+        for (std::size_t i = 0; i < kBlockSize; ++i) {
+            DVec3 center, half;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double lower = node.planes[axis][i], upper = node.planes[axis + 3][i];
+                center[axis] = double{node.centerHi[axis]} + double{node.centerLo[axis]} +
+                               0.5 * (lower + upper);
+                half[axis] = 0.5 * (upper - lower);
+            }
+            // Places without a child are empty boxes.
+            if (half.x < 0) continue;
+            const auto extent = [&](const DVec3& normal) {
+                return kExtentMargin * glm::dot(glm::abs(normal), half);
+            };
+            if (bundle.misses(center, extent)) continue;
+            const std::uint32_t child = node.child[i], index = child & kChildMask;
+            if (!(child & kLeafBit)) {
+                waiting[count++] = child;
+            } else if (child & kBallBit) {
+                for (std::uint32_t slot = ballFirst_[index]; slot < ballFirst_[index + 1]; ++slot)
+                    addBall(from.balls[index], slot - ballFirst_[index], slot);
+            } else {
+                for (std::uint32_t slot = boxFirst_[index]; slot < boxFirst_[index + 1]; ++slot)
+                    addBox(from.boxes[index], slot - boxFirst_[index], slot);
+            }
+        }
+        if (few.balls.size() + few.boxes.size() > kMostFew) return false;
+    }
+    return true;
+}
+
+bool ShapeLists::cull(const RayBundle& bundle, FewShapes& few) const {
+    if (unfiltered_) return false;
+    return std::holds_alternative<Blocks<Coordinates::Single>>(blocks_)
+               ? cullBlocks<Coordinates::Single>(bundle, few)
+               : cullBlocks<Coordinates::Pairs>(bundle, few);
+}
+
+}  // namespace glint
