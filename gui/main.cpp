@@ -10,6 +10,7 @@
 #include "gui/app/renderer.h"
 #include "gui/app/text.h"
 #include "gui/viewport/render_view.h"
+#include "tracer/base/heap.h"
 
 namespace {
 
@@ -62,6 +63,7 @@ void selectByName(glint::MainWindow& window, const QString& name) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    glint::keepFreedMemory();
     QApplication app(argc, argv);
     QApplication::setApplicationName("glint");
     QApplication::setOrganizationName("glint");

@@ -9,6 +9,7 @@
 #include "tests/bench/output.h"
 #include "tracer/compile/compiler.h"
 #include "tracer/lights/environment_map.h"
+#include "tracer/math/frame.h"
 #include "tracer/math/sobol.h"
 #include "tracer/math/statistics.h"
 
@@ -21,6 +22,8 @@ struct EnvironmentOptions {
     int samples = 64, seeds = 400;
     std::string json;
 };
+
+// ---- Drawing ----
 
 /// Draws a texel in constant time (Walker 1974; table by Vose 1991), then a place in it. Its density is constant over a texel.
 class AliasMap {
@@ -135,10 +138,60 @@ Figures measure(const Map& map, const EnvironmentOptions& options) {
     return out;
 }
 
+// ---- Sharing with the surface's own directions ----
+
+/// A sky of 1 with one texel of 1e5 as its sun (NUMERICS P11).
+std::shared_ptr<const Image> skyWithSun() {
+    auto image = std::make_shared<Image>(Image{512, 256, std::vector<float>(3 * 512 * 256, 1.0f)});
+    std::fill_n(image->rgb.begin() + 3 * (70 * 512 + 200), 3, 1e5f);
+    return image;
+}
+
+/// Irradiance of a surface facing `normal`, from as many samples of the map (null: none) as of the surface's own cosine, shared by
+/// the balance heuristic.
+double sharedIrradiance(const EnvironmentMap* drawn, const EnvironmentMap& seen, const Frame& frame, int samples, std::uint32_t seed) {
+    double sum = 0;
+    const auto cosinePdf = [&](const DVec3& d) { return std::max(0.0, glm::dot(d, frame.n)) / kPi; };
+    const auto add = [&](const DVec3& d, double density) {
+        const double cosine = glm::dot(d, frame.n);
+        if (cosine > 0 && density > 0) sum += static_cast<double>(luminance(seen.radiance(d))) * cosine / density;
+    };
+    const auto density = [&](const DVec3& d) { return cosinePdf(d) + (drawn ? drawn->pdf(d) : 0.0); };
+    for (int s = 0; s < samples; ++s) {
+        const auto [u, v] = Sampler(seed, 0, static_cast<std::uint32_t>(s)).blocks(0, 1);
+        const DVec3 own = frame.toWorld(cosineHemisphere({u.x, u.y}));
+        add(own, density(own));
+        if (!drawn) continue;
+        const EnvironmentSample sample = drawn->sample({v.x, v.y});
+        if (sample.pdf > 0) add(sample.direction, density(sample.direction));
+    }
+    return sum / samples;
+}
+
+/// relMSE of the three ways, for surfaces that face all ways up.
+void measureSharing(const EnvironmentOptions& options, Json& json) {
+    const auto image = skyWithSun();
+    const EnvironmentMap plain(image, EnvironmentMap::Density::Plain), compensated(image, EnvironmentMap::Density::Compensated);
+    constexpr int kNormals = 32, kReference = 1 << 16;
+    double errors[3] = {};
+    for (int i = 0; i < kNormals; ++i) {
+        const double up = (i + 0.5) / kNormals, around = std::sqrt(1 - up * up), phi = 2.4 * i;
+        const Frame frame(DVec3(around * std::cos(phi), up, around * std::sin(phi)));
+        const double exact = sharedIrradiance(&compensated, plain, frame, kReference, 0);
+        const EnvironmentMap* ways[] = {nullptr, &plain, &compensated};
+        for (std::size_t way = 0; way < 3; ++way)
+            for (int seed = 1; seed <= options.seeds; ++seed)
+                errors[way] += std::pow(sharedIrradiance(ways[way], plain, frame, options.samples, static_cast<std::uint32_t>(seed)) / exact - 1, 2) / (kNormals * options.seeds);
+    }
+    std::printf("\nA sky of 1 with a texel of 1e5, %d samples, relMSE: the surface's own directions %.2e, shared with the picture's %.2e, with what it has above its mean %.2e\n",
+                options.samples, errors[0], errors[1], errors[2]);
+    json = {{"own_directions", errors[0]}, {"plain", errors[1]}, {"compensated", errors[2]}};
+}
+
 int runEnvironment(const EnvironmentOptions& options) {
     if (!canWrite(options.json)) return kCannotWrite;
     Table table({"environment", "way", "ns a sample", format("error of %d samples", options.samples), "efficiency to the alias table"});
-    Json json = Json::array();
+    Json json{{"drawing", Json::array()}};
     AssetCache assets;
     for (const std::string& file : options.files) {
         int loads = 0;
@@ -150,9 +203,10 @@ int runEnvironment(const EnvironmentOptions& options) {
         const double gain = alias.error * alias.error * alias.nanoseconds / (ours.error * ours.error * ours.nanoseconds);
         table.add({name, "alias table", format("%.0f", alias.nanoseconds), format("%.2f %%", 100 * alias.error), ""});
         table.add({name, "2-D distribution", format("%.0f", ours.nanoseconds), format("%.2f %%", 100 * ours.error), format("%.2f", gain)});
-        json.push_back({{"environment", name}, {"alias_ns", alias.nanoseconds}, {"alias_error", alias.error}, {"distribution_ns", ours.nanoseconds}, {"distribution_error", ours.error}, {"gain", gain}});
+        json["drawing"].push_back({{"environment", name}, {"alias_ns", alias.nanoseconds}, {"alias_error", alias.error}, {"distribution_ns", ours.nanoseconds}, {"distribution_error", ours.error}, {"gain", gain}});
     }
     std::printf("%s", table.markdown().c_str());
+    measureSharing(options, json["sharing"]);
     return writeJson(options.json, json) ? kOk : kCannotWrite;
 }
 
@@ -160,7 +214,7 @@ int runEnvironment(const EnvironmentOptions& options) {
 
 Command environmentCommand(CLI::App& root) {
     auto options = std::make_shared<EnvironmentOptions>();
-    CLI::App* app = root.add_subcommand("environment", "How directions of an environment are drawn: the built 2-D distribution against an alias table, by the irradiance of a cube's faces");
+    CLI::App* app = root.add_subcommand("environment", "How directions of an environment are drawn: the built 2-D distribution against an alias table, by the irradiance of a cube's faces; and how they share with a surface's own");
     app->add_option("FILES", options->files, "Pictures of environments")->required()->check(CLI::ExistingFile);
     app->add_option("--samples", options->samples, "Stratified samples of one irradiance")->check(CLI::Range(1, 1 << 20))->capture_default_str();
     app->add_option("--seeds", options->seeds, "Times that each is found")->check(CLI::Range(2, 1 << 20))->capture_default_str();

@@ -12,8 +12,10 @@
 #include "tests/bench/startup.h"
 #include "tests/bench/viewport.h"
 #include "tests/bench/peers/peers.h"
+#include "tracer/base/heap.h"
 
 int main(int argc, char** argv) {
+    glint::keepFreedMemory();
     using namespace glint::bench;
     CLI::App app("Measures Glint on this machine. Compare ratios within one run, never times of two.", "glint-bench");
     app.require_subcommand(1);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "tracer/base/heap.h"
 #include "tracer/cli/exit_code.h"
 #include "tracer/cli/interrupt.h"
 #include "tracer/cli/options.h"
@@ -178,6 +179,7 @@ ExitCode run(const Options& options) {
 }  // namespace glint
 
 int main(int argc, char** argv) {
+    glint::keepFreedMemory();
     try {
         const auto parsed = glint::parseOptions(argc, argv);
         if (const int* code = std::get_if<int>(&parsed)) return *code;

@@ -51,21 +51,8 @@ class CameraModel {
     /// What holds the rays of all film positions from (x0, y0) to (x1, y1). Nothing through a lens, whose rays spread.
     [[nodiscard]] std::optional<RayBundle> bundle(double x0, double y0, double x1, double y1) const {
         if (hasLens_) return std::nullopt;
-        const Ray corners[] = {unnormalized(x0, y0), unnormalized(x1, y0), unnormalized(x1, y1), unnormalized(x0, y1)};
-        const Ray middle = unnormalized(0.5 * (x0 + x1), 0.5 * (y0 + y1));
-        RayBundle out;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const Ray &a = corners[i], &b = corners[(i + 1) % 4];
-            const DVec3 along = glm::normalize(a.direction), across = orthographic_ ? b.origin - a.origin : b.direction;
-            DVec3 normal = glm::cross(along, across);
-            const double sine = glm::length(normal) / glm::length(across);
-            normal /= glm::length(normal);
-            if (glm::dot(normal, middle.origin + middle.direction - a.origin) > 0) normal = -normal;
-            // The nearer two rays are to parallel, the less their directions' rounding leaves of the normal.
-            out.sides[i] = {normal, glm::dot(normal, a.origin), 0x1p-46 / sine};
-            out.place = std::max(out.place, coordinateSum(a.origin));
-        }
-        return out;
+        const std::array corners{unnormalized(x0, y0), unnormalized(x1, y0), unnormalized(x1, y1), unnormalized(x0, y1)};
+        return RayBundle(corners, unnormalized(0.5 * (x0 + x1), 0.5 * (y0 + y1)));
     }
 
     /// Half the box about position() in which rays start, for film positions up to `margin` pixels outside the film.

@@ -128,6 +128,7 @@ class Compiler {
         out_->settings = scene_.render;
         out_->lightGroups = groups_.count();
         addLists();
+        addLightBuffers();
         findPassableGlass();
         findFeatures();
         setView(*out_, scene_);
@@ -278,6 +279,15 @@ class Compiler {
         }
         out_->lists = std::make_shared<const ShapeLists>(out_->shapes, previous_ ? previous_->lists.get() : nullptr);
         ++(out_->lists->isRefitted() ? compiled_.stats.shapeListsRefitted : compiled_.stats.shapeListsBuilt);
+    }
+
+    /// The previous ones where neither shapes nor lights have moved.
+    void addLightBuffers() {
+        const auto inPlace = [](const CompiledLight& a, const CompiledLight& b) {
+            return a.kind == b.kind && a.position == b.position && a.direction == b.direction && a.sin2Angle == b.sin2Angle && a.shape == b.shape;
+        };
+        const bool same = previous_ && previous_->lists == out_->lists && std::ranges::equal(out_->lights.lights, previous_->lights.lights, inPlace);
+        out_->lightBuffers = same ? previous_->lightBuffers : LightBuffers(out_->lights, out_->shapes, *out_->lists);
     }
 
     void warnOfLength(const Object& object) {

@@ -12,6 +12,7 @@
 #include "tracer/compile/camera_model.h"
 #include "tracer/compile/casters.h"
 #include "tracer/compile/highlights.h"
+#include "tracer/compile/light_buffer.h"
 #include "tracer/compile/light_table.h"
 #include "tracer/compile/shape_lists.h"
 #include "tracer/materials/builder.h"
@@ -69,6 +70,7 @@ struct RenderScene {
     std::shared_ptr<const ShapeLists> lists;  ///< of `shapes`; scenes that have them in common share it
     std::vector<CompiledMaterial> materials;
     LightTable lights;
+    LightBuffers lightBuffers;
     CasterTable casters;
     HighlightTable highlights;
     CameraModel camera;

@@ -340,8 +340,8 @@ ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMa
 }
 
 bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax,
-                          std::uint32_t ignored, WorkCounts& work) const {
-    return ask(ray, media, Any{tMax, ignored}, work, nullptr).hit;
+                          std::uint32_t ignored, WorkCounts& work, const FewShapes* few) const {
+    return ask(ray, media, Any{tMax, ignored}, work, few).hit;
 }
 bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax,
                           std::uint32_t ignored) const {

@@ -130,7 +130,7 @@ class ClassicTracer {
                 ++state_.work[Work::BlackShadowRays];
             }
             const Ray ray = point.ray(s.wi, wi.z < 0);
-            const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(state_, point, branch.media, wi), s.distance, s.shape,
+            const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(state_, point, branch.media, wi), {i, s.distance, s.shape},
                                                      scene_.settings.maxDepth - branch.depth - 1, scene_.settings.transparentShadows);
             const Rgb value = branch.weight * f.f * s.radiance * share * static_cast<float>(std::abs(wi.z) / s.pdf);
             add(branch, PathLight::Kind::Direct, scene_.lights.lights[i].group, value, i, share);

@@ -333,7 +333,7 @@ class PathTracer {
             ++state_.work[Work::BlackShadowRays];
         }
         const Ray ray = point.ray(s.wi, f.wi.z < 0);
-        const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(state_, point, path.media, f.wi), s.distance, s.shape,
+        const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(state_, point, path.media, f.wi), {light, s.distance, s.shape},
                                                  scene_.settings.maxDepth - path.depth - 1, false);
         if (isBlack(share)) return;
         const Rgb value = path.throughput * f.f * s.radiance * share * static_cast<float>(factor * static_cast<double>(std::abs(f.wi.z)));

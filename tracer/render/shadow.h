@@ -22,25 +22,35 @@ template <Features F>
 /// thousandth of a right angle and more.
 inline constexpr double kLampRange = 0x1p-38;
 
-/// Share of light that comes along `ray` from `tMax` metres away. `light` does not shadow itself. At most `passes` surfaces
-/// may be gone through. With `tinted`, dielectrics let light pass unbent and only absorb (classic's transparent shadows).
+/// What a shadow ray comes from.
+struct ShadowTarget {
+    std::uint32_t light;  ///< its index
+    double distance;      ///< along the ray [m]
+    std::uint32_t shape;  ///< the light's own, which does not shadow itself; kNoShape: it has none
+};
+
+/// Share of light that comes along `ray` from the target. At most `passes` surfaces may be gone through. With `tinted`,
+/// dielectrics let light pass unbent and only absorb (classic's transparent shadows).
 template <Features F>
-[[nodiscard]] Rgb shadowTransmittance(KernelState& state, Ray ray, MediaStack media, double tMax, std::uint32_t light, int passes, bool tinted) {
+[[nodiscard]] Rgb shadowTransmittance(KernelState& state, Ray ray, MediaStack media, const ShadowTarget& target, int passes, bool tinted) {
     const RenderScene& scene = state.scene;
+    const std::uint32_t light = target.shape;
+    double tMax = target.distance;
+    const FewShapes* few = has(F, Feature::NoSkips) ? nullptr : scene.lightBuffers.between(target.light, ray.origin);
     // What a lamp lies flush with does not shadow it.
     if (light != kNoShape) tMax -= kLampRange * (tMax + coordinateSum(ray.origin));
     Rgb share(1.0f);
     ++state.rays.shadow;
     const bool opaque = !has(F, Feature::NoSkips) && !has(scene.features, Feature::Straight);
     if ((!has(F, Feature::Straight) || opaque) && !tinted) {
-        if (scene.lists->occluded(ray, media, tMax, light, state.work)) return Rgb(0.0f);
+        if (scene.lists->occluded(ray, media, tMax, light, state.work, few)) return Rgb(0.0f);
         if constexpr (has(F, Feature::Media))
             share = transmittance<F>(mediumOf(scene, fillingShape(scene, media)), tMax, state.work);
         return share;
     }
     while (true) {
         ++state.work[Work::ShadowSteps];
-        const ShapeHit hit = scene.lists->closest(ray, media, tMax, state.work);
+        const ShapeHit hit = scene.lists->closest(ray, media, tMax, state.work, few);
         const bool toLight = hit.found() && hit.shape == light, arrived = !hit.found() || toLight;
         if constexpr (has(F, Feature::Media))
             share *= transmittance<F>(mediumOf(scene, fillingShape(scene, media)), arrived ? tMax : hit.t, state.work);

@@ -1,0 +1,96 @@
+// LightBuffers: which shapes may lie between a light and a point, by the direction in which the light
+// sees the point (Haines and Greenberg, "The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A
+// 6(9), 1986). Lights may have a size: what is seen from their middle is widened by their radius.
+// Start reading at between().
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "tracer/base/shared_list.h"
+#include "tracer/compile/light_table.h"
+#include "tracer/compile/shape_lists.h"
+
+namespace glint {
+
+/// Where a light is: around a point, or in a direction infinitely far away.
+struct LightPlace {
+    bool infinitelyFar = false;
+    DVec3 at{0.0};      ///< its middle, or the unit vector towards it
+    double radius = 0;  ///< [m]; infinitely far: tangent of half its angle
+};
+
+class LightBuffer {
+  public:
+    /// `reach`: no shape but planes extends farther from zero [m].
+    LightBuffer(const LightPlace& place, const ShapeLists& lists, double reach);
+
+    /// The shapes that rays between `p` and any part of the light can meet; null: it may be any.
+    [[nodiscard]] const FewShapes* between(const DVec3& p) const {
+        const int index = place_.infinitelyFar ? farCell(p) : cell(p - place_.at);
+        if (index < 0) return nullptr;
+        const std::optional<FewShapes>& few = cells_[static_cast<std::size_t>(index)];
+        return few ? &*few : nullptr;
+    }
+
+  private:
+    static constexpr int kSide = 8;  ///< cells along an edge of a face of the cube around a light
+    static constexpr int kFarSide = 16;  ///< ... of the square before one infinitely far
+    /// Rays to a light infinitely far away are followed from at most so many times the scene's
+    /// reach before it.
+    static constexpr double kDepth = 2;
+
+    /// Of a place from -1 to 1 along an edge; any for one that is not a number.
+    [[nodiscard]] static int column(double place, int side) {
+        const double at = 0.5 * side * (place + 1);
+        return at < side ? static_cast<int>(std::max(at, 0.0)) : side - 1;
+    }
+    /// The cell that a vector from the light points to; -1: it has no direction.
+    [[nodiscard]] static int cell(const DVec3& to) {
+        const DVec3 size = glm::abs(to);
+        if (size.x >= size.y && size.x >= size.z) return size.x > 0 ? cell(0, to.x, to.y, to.z) : -1;
+        return size.y >= size.z ? cell(2, to.y, to.z, to.x) : cell(4, to.z, to.x, to.y);
+    }
+    [[nodiscard]] static int cell(int face, double along, double x, double y) {
+        const double scale = 1 / std::abs(along);
+        face += along < 0 ? 1 : 0;
+        return (face * kSide + column(y * scale, kSide)) * kSide + column(x * scale, kSide);
+    }
+    [[nodiscard]] int farCell(const DVec3& p) const {
+        const double x = glm::dot(p, across_), y = glm::dot(p, up_);
+        if (!(std::max(std::abs(x), std::abs(y)) <= reach_)) return -1;
+        if (place_.radius > 0 && !(glm::dot(p, place_.at) >= -kDepth * reach_)) return -1;
+        return column(y / reach_, kFarSide) * kFarSide + column(x / reach_, kFarSide);
+    }
+    void addCell(const RayBundle& bundle, const ShapeLists& lists);
+    void addFace(int axis, double sign, const ShapeLists& lists);
+
+    LightPlace place_;
+    double reach_;
+    DVec3 across_{0.0}, up_{0.0};  ///< infinitely far: the square's axes
+    std::vector<std::optional<FewShapes>> cells_;
+};
+
+/// The buffers of all lights that have one. Copies share them.
+class LightBuffers {
+  public:
+    LightBuffers() = default;
+    LightBuffers(const LightTable& lights, const std::vector<ShapeInstance>& shapes,
+                 const ShapeLists& lists);
+
+    /// See LightBuffer; for the light of that index.
+    [[nodiscard]] const FewShapes* between(std::uint32_t light, const DVec3& p) const {
+        return light < of_.size() && of_[light] ? of_[light]->between(p) : nullptr;
+    }
+
+  private:
+    /// More lights are sampled one at a time, so each is worth less.
+    static constexpr std::size_t kMostLights = 8;
+    /// A light of more than this share of the scene's reach sees most shapes from everywhere.
+    static constexpr double kMostRadius = 0.25;
+
+    SharedList<std::optional<LightBuffer>> of_;  ///< by index of the light
+};
+
+}  // namespace glint
