@@ -1,6 +1,7 @@
 #include "tracer/compile/highlights.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "tracer/compile/render_scene.h"
 #include "tracer/math/chord_lobe.h"
@@ -154,9 +155,13 @@ HighlightTable makeHighlights(const std::vector<ShapeInstance>& shapes, const st
     if (out.surfaces.size() > HighlightTable::kMostSurfaces) out.surfaces.resize(HighlightTable::kMostSurfaces);
     out.surfaceOf.assign(shapes.size(), ~0u);
     for (std::uint32_t i = 0; i < out.surfaces.size(); ++i) out.surfaceOf[out.surfaces[i].shape] = i;
-    for (const HighlightLight& light : out.lights)
+    for (const HighlightLight& light : out.lights) {
+        // One of many lights makes few of the bright spots, and one light is looked for at a time.
+        const double share = std::min(1.0, 2 * out.pickProbability(light));
         for (const GlossySurface& surface : out.surfaces)
-            out.worth.push_back(static_cast<double>(surface.strength) * std::min(1.0, kSharp / highlightSolidAngle(surface, light)));
+            out.worth.push_back(share * static_cast<double>(surface.strength) * std::min(1.0, kSharp / highlightSolidAngle(surface, light)));
+        out.worthOfAll.push_back(std::accumulate(out.worth.end() - static_cast<std::ptrdiff_t>(out.surfaces.size()), out.worth.end(), 0.0));
+    }
     return out;
 }
 

@@ -42,6 +42,7 @@ struct HighlightTable {
     DiscreteChoice byPower;                 ///< among them
     std::vector<std::uint32_t> surfaceOf;   ///< of each shape; ~0: none
     std::vector<double> worth;              ///< of each surface's highlights of each light, light by light; see chance()
+    std::vector<double> worthOfAll;         ///< of all surfaces together, of each light
 
     [[nodiscard]] bool empty() const { return surfaces.empty(); }
     [[nodiscard]] const GlossySurface* find(std::uint32_t shape) const { return empty() || surfaceOf[shape] == ~0u ? nullptr : &surfaces[surfaceOf[shape]]; }
@@ -59,6 +60,8 @@ struct HighlightTable {
         if (!(far2 > near2)) return q < kLeast ? 0 : std::min(1.0, q);
         return q * near2 < kLeast * far2 ? 0 : std::min(1.0, q * near2 / far2);
     }
+    /// At most the sum of all surfaces' chances.
+    [[nodiscard]] double mostTries(const HighlightLight& light, float drive) const { return static_cast<double>(drive) * worthOfAll[static_cast<std::size_t>(&light - lights.data())]; }
     /// Probability of pick() to choose it.
     [[nodiscard]] double pickProbability(const HighlightLight& light) const { return byPower.probability(static_cast<std::size_t>(&light - lights.data())); }
 };

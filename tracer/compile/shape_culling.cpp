@@ -1,5 +1,6 @@
 // Which shapes a bundle of rays can meet. One search for a tile of the film serves all of its camera
-// rays.
+// rays. No packets of rays: in float alone and with no hit described they would take 0.34 (4 balls),
+// 0.59 (16), 1.3 (64) and 2.3 (128) of the time of such single rays (glint-bench rays).
 #include <cstring>
 
 #include "tracer/compile/shape_lists.h"

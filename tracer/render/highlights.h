@@ -55,6 +55,7 @@ void drawHighlights(const RenderScene& scene, const Sampler& sampler, const High
     const SampleBlock first = sampler.block(sampleBlock(SampleUse::Caustic, vertex.depth, vertex.branch, 32));
     const HighlightLight& light = table.pick(static_cast<double>(first.x));
     double tooth = static_cast<double>(first.y);
+    if (table.mostTries(light, vertex.drive) <= tooth) return;  // No tooth falls on any.
     std::uint32_t tried = 0;
     for (const GlossySurface& surface : table.surfaces) {
         if (surface.shape == vertex.shape) continue;
