@@ -4,39 +4,26 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
-#include "tracer/math/transform.h"
-#include "tracer/math/warp.h"
+#include "tests/support/rays.h"
 
 namespace glint {
 namespace {
 
-struct Random {
-    std::mt19937_64 engine;
-    double operator()(double from, double to) {
-        return std::uniform_real_distribution<double>(from, to)(engine);
-    }
-    DVec3 cube() { return {(*this)(-1, 1), (*this)(-1, 1), (*this)(-1, 1)}; }
-    DVec3 direction() { return uniformSphere({(*this)(0, 1), (*this)(0, 1)}); }
-};
+using test::Random;
 
 /// Balls and turned boxes in a cube of half the size `scale`, and a floor.
 std::vector<ShapeInstance> makeField(std::size_t count, double scale, Random& random) {
-    std::vector<ShapeInstance> out(1);
-    out[0].shape = CanonicalPlane{};
-    out[0].center.y = -1.2 * scale;
+    std::vector<ShapeInstance> out{
+        test::makeInstance(CanonicalPlane{}, DMat3(1.0), {0, -1.2 * scale, 0})};
     while (out.size() < count) {
-        ShapeInstance& shape = out.emplace_back();
-        shape.center = scale * random.cube();
-        DMat3 linear(scale * random(0.03, 0.2));
+        CanonicalShape shape;
+        DMat3 linear(scale * random.uniform(0.03, 0.2));
         if (out.size() % 2 == 0) {
-            shape.shape = CanonicalBox{};
-            linear = rotationFromDegrees(180.0 * random.cube());
-            for (int axis = 0; axis < 3; ++axis) linear[axis] *= scale * random(0.01, 0.3);
+            shape = CanonicalBox{};
+            linear = rotationFromDegrees(random.inCube(180));
+            for (int axis = 0; axis < 3; ++axis) linear[axis] *= scale * random.uniform(0.01, 0.3);
         }
-        shape.worldFromLocal = linear;
-        shape.localFromWorld = glm::inverse(linear);
+        out.push_back(test::makeInstance(shape, linear, scale * random.inCube(1)));
     }
     return out;
 }
@@ -56,7 +43,7 @@ void compareRays(const std::vector<ShapeInstance>& shapes, const LightPlace& pla
     const LightBuffer buffer(place, lists, reach);
     WorkCounts work;
     for (int i = 0; i < 4000; ++i) {
-        DVec3 from = scale * (random(0, 1) < 0.1 ? 30.0 : 1.3) * random.cube();
+        DVec3 from = scale * (random.uniform() < 0.1 ? 30.0 : 1.3) * random.inCube(1);
         if (i % 2 == 0) from.y = shapes[0].center.y;
         if (i % 16 == 1) from = place.infinitelyFar ? DVec3(0.0) : place.at + scale * DVec3(1, 1, -1);
         const auto [direction, distance] = towards(from);
@@ -83,7 +70,7 @@ void expectMuchLeftOut(const Tally& tally) {
 }
 
 TEST(LightBuffer, RaysToALampMeetAmongTheFewWhatTheyMeetAmongAll) {
-    Random random{std::mt19937_64(9)};
+    Random random(9);
     Tally tally;
     for (const std::size_t count : {12, 40, 129})
         for (const double scale : {1.0, 1e-6, 1e8})
@@ -102,7 +89,7 @@ TEST(LightBuffer, RaysToALampMeetAmongTheFewWhatTheyMeetAmongAll) {
 }
 
 TEST(LightBuffer, RaysToASunMeetAmongTheFewWhatTheyMeetAmongAll) {
-    Random random{std::mt19937_64(10)};
+    Random random(10);
     Tally tally;
     for (const std::size_t count : {12, 40, 129})
         for (const double scale : {1.0, 1e-6, 1e8})

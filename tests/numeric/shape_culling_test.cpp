@@ -2,23 +2,14 @@
 // and shapes of any size, and most shapes are left out.
 #include <gtest/gtest.h>
 
-#include <random>
-
+#include "tests/support/rays.h"
 #include "tracer/compile/camera_model.h"
 #include "tracer/compile/shape_lists.h"
-#include "tracer/math/transform.h"
-#include "tracer/math/warp.h"
 
 namespace glint {
 namespace {
 
-struct Random {
-    std::mt19937_64 engine;
-    double operator()(double from, double to) {
-        return std::uniform_real_distribution<double>(from, to)(engine);
-    }
-    DVec3 cube() { return {(*this)(-1, 1), (*this)(-1, 1), (*this)(-1, 1)}; }
-};
+using test::Random;
 
 /// Shapes of all kinds about a cube of half the size `scale` around `at`.
 std::vector<ShapeInstance> makeField(std::size_t count, bool ballsOnly, double scale, const DVec3& at,
@@ -28,33 +19,31 @@ std::vector<ShapeInstance> makeField(std::size_t count, bool ballsOnly, double s
                                     CanonicalTorus{0.3}, CanonicalSphere{}};
     std::vector<ShapeInstance> out;
     for (std::size_t i = 0; i < count; ++i) {
-        ShapeInstance shape;
-        shape.center = at + scale * random.cube();
-        const double size = scale * random(0.1, 0.6) / std::cbrt(static_cast<double>(count));
+        const double size = scale * random.uniform(0.1, 0.6) / std::cbrt(static_cast<double>(count));
+        CanonicalShape shape;
         DMat3 linear(size);
         if (!ballsOnly && i % 8 != 0) {
-            shape.shape = kinds[i % 8];
-            linear = rotationFromDegrees(180.0 * random.cube());
-            for (int axis = 0; axis < 3; ++axis) linear[axis] *= size * random(0.1, 3);
-            linear = linear * DMat3(DVec3(1, 0, 0), DVec3(random(-1, 1), 1, 0), DVec3(0, 0, 1));
+            shape = kinds[i % 8];
+            linear = rotationFromDegrees(random.inCube(180));
+            for (int axis = 0; axis < 3; ++axis) linear[axis] *= size * random.uniform(0.1, 3);
+            linear = linear *
+                     DMat3(DVec3(1, 0, 0), DVec3(random.uniform(-1, 1), 1, 0), DVec3(0, 0, 1));
         }
-        shape.worldFromLocal = linear;
-        shape.localFromWorld = glm::inverse(linear);
-        out.push_back(shape);
+        out.push_back(test::makeInstance(shape, linear, at + scale * random.inCube(1)));
     }
     return out;
 }
 
 Camera randomCamera(double scale, const DVec3& at, Random& random) {
     Camera camera;
-    camera.target = at + 0.5 * scale * random.cube();
-    camera.position = camera.target + scale * std::pow(10, random(-1, 2)) *
-                                          uniformSphere({random(0, 1), random(0, 1)});
-    camera.up = uniformSphere({random(0, 1), random(0, 1)});
-    camera.verticalFovDegrees = random(0, 1) < 0.2 ? random(1e-5, 1e-3) : random(1, 170);
-    if (random(0, 1) < 0.3) {
+    camera.target = at + 0.5 * scale * random.inCube(1);
+    camera.position = camera.target + scale * random.logUniform(0.1, 100) * random.direction();
+    camera.up = random.direction();
+    camera.verticalFovDegrees =
+        random.uniform() < 0.2 ? random.uniform(1e-5, 1e-3) : random.uniform(1, 170);
+    if (random.uniform() < 0.3) {
         camera.projection = Projection::Orthographic;
-        camera.orthoHeight = scale * std::pow(10, random(-6, 0.5));
+        camera.orthoHeight = scale * random.logUniform(1e-6, 3.2);
     }
     return camera;
 }
@@ -73,7 +62,8 @@ void compareTiles(std::size_t count, bool ballsOnly, double scale, const DVec3& 
     for (int view = 0; view < 10; ++view) {
         const CameraModel camera(randomCamera(scale, at, random), DVec3(0.0), 320, 200);
         for (int tile = 0; tile < 10; ++tile) {
-            const double size = random(0, 1) < 0.2 ? 1e-3 : 16, x = random(0, 320), y = random(0, 200);
+            const double size = random.uniform() < 0.2 ? 1e-3 : 16, x = random.uniform(0, 320),
+                         y = random.uniform(0, 200);
             const auto bundle = camera.bundle(x, y, x + size, y + size);
             ASSERT_TRUE(bundle.has_value());
             ++tally.bundles;
@@ -83,7 +73,8 @@ void compareTiles(std::size_t count, bool ballsOnly, double scale, const DVec3& 
             tally.of += count;
             for (int i = 0; i < 40; ++i) {
                 // One in four on the edge of the tile.
-                const double u = random(0, 1), v = i % 4 ? random(0, 1) : std::round(random(0, 1));
+                const double u = random.uniform(), w = random.uniform(),
+                             v = i % 4 ? w : std::round(w);
                 const Ray ray = camera.ray(x + size * u, y + size * v);
                 const ShapeHit all = lists.closest(ray, media, kInfinity, work),
                                seen = lists.closest(ray, media, kInfinity, work, &few);
@@ -98,7 +89,7 @@ void compareTiles(std::size_t count, bool ballsOnly, double scale, const DVec3& 
 }
 
 TEST(ShapeCulling, RaysOfATileMeetAmongTheFewWhatTheyMeetAmongAll) {
-    Random random{std::mt19937_64(3)};
+    Random random(3);
     Tally tally;
     for (const std::size_t count : {2, 5, 17, 64, 128, 129, 700, 5000})
         for (const double scale : {1.0, 1e-7, 1e9})
@@ -118,7 +109,7 @@ TEST(ShapeCulling, ALensHasNoBundle) {
 }
 
 TEST(ShapeCulling, TheMiddleOfABundleIsInside) {
-    Random random{std::mt19937_64(5)};
+    Random random(5);
     for (int i = 0; i < 1000; ++i) {
         const Camera settings = randomCamera(1, DVec3(0.0), random);
         const CameraModel camera(settings, DVec3(0.0), 64, 64);
