@@ -46,15 +46,19 @@ double secondsARay(int runs, const std::vector<BenchRay>& rays, Trace&& trace) {
 
 /// One number of shapes.
 struct ShapePoint {
-    double count = 0, nanoseconds = 0, nodes = 0, buildSeconds = 0, hierarchyBytes = 0, shapeBytes = 0;  ///< of one ray; bytes a shape
+    double count = 0, nanoseconds = 0, nodes = 0, buildSeconds = 0, moveSeconds = 0, hierarchyBytes = 0, shapeBytes = 0;  ///< of one ray; bytes a shape
 };
 
 ShapePoint measureShapes(const ScaleOptions& options, std::size_t count, FieldOf kind, const std::vector<BenchRay>& rays) {
-    const std::vector<ShapeInstance> shapes = makeShapes(count, kind);
+    std::vector<ShapeInstance> shapes = makeShapes(count, kind);
     const Stopwatch watch;
     const ShapeLists lists(shapes);
     ShapePoint out;
     out.buildSeconds = watch.wallSeconds();
+    shapes.front().center.x += 0.01 * kHalfSize;
+    const Stopwatch moved;
+    static_cast<void>(ShapeLists(shapes, &lists));
+    out.moveSeconds = moved.wallSeconds();
     const MediaStack media;
     WorkCounts work;
     for (const BenchRay& r : rays) static_cast<void>(lists.closest(r.ray, media, kInfinity, work));
@@ -82,6 +86,7 @@ class ScaleBench {
                     options_.mostLights, std::thread::hardware_concurrency());
         shapes(FieldOf::Balls, "balls");
         shapes(FieldOf::Mixed, "mixed");
+        edits();
         lights();
         threads();
         return writeJson(options_.json, json_) && writeText(options_.plot, svgOf(plot_)) ? kOk : kCannotWrite;
@@ -90,16 +95,16 @@ class ScaleBench {
   private:
     void shapes(FieldOf kind, const char* name) {
         const std::vector<BenchRay> rays = incoherentRays(kRays);
-        Table table({std::string(name), "ns a ray", "nodes a ray", "build [s]", "hierarchy [B/shape]", "shape [B/shape]"});
+        Table table({std::string(name), "ns a ray", "nodes a ray", "build [s]", "one moves [s]", "hierarchy [B/shape]", "shape [B/shape]"});
         std::vector<ShapePoint> points;
         PlotCurve curve{std::string(name) + " [ns a ray]", {}};
         for (std::size_t count = 10; count <= options_.mostShapes; count *= 10) {
             const ShapePoint p = measureShapes(options_, count, kind, rays);
             points.push_back(p);
             curve.points.push_back({p.count, p.nanoseconds, 0});
-            table.add({format("%zu", count), format("%.0f", p.nanoseconds), format("%.2f", p.nodes), format("%.3f", p.buildSeconds), format("%.1f", p.hierarchyBytes),
+            table.add({format("%zu", count), format("%.0f", p.nanoseconds), format("%.2f", p.nodes), format("%.4f", p.buildSeconds), format("%.4f", p.moveSeconds), format("%.1f", p.hierarchyBytes),
                        format("%.1f", p.shapeBytes)});
-            json_["shapes"][name].push_back({{"count", p.count}, {"ns_per_ray", p.nanoseconds}, {"nodes_per_ray", p.nodes}, {"build_seconds", p.buildSeconds},
+            json_["shapes"][name].push_back({{"count", p.count}, {"ns_per_ray", p.nanoseconds}, {"nodes_per_ray", p.nodes}, {"build_seconds", p.buildSeconds}, {"move_seconds", p.moveSeconds},
                                              {"hierarchy_bytes", p.hierarchyBytes}, {"shape_bytes", p.shapeBytes}});
         }
         plot_.curves.push_back(std::move(curve));
@@ -167,6 +172,41 @@ class ScaleBench {
             error = rendering.error;
         }
         return {median(seconds), error};
+    }
+
+    /// What it takes to compile a scene again after one of its objects or its camera has moved.
+    void edits() {
+        Table table({"objects", "compiled at first [ms]", "one moved [ms]", "the camera moved [ms]"});
+        for (const int objects : {100, 1000, 10000}) {
+            Scene scene = lampScene(4);
+            const ObjectId last = scene.objects.ids().back();
+            const MaterialId clay = scene.materials.ids().front();
+            for (int i = 0; i < objects; ++i) {
+                Object object{.name = "Grain " + std::to_string(i), .shape = Sphere{0.01}, .material = clay};
+                object.transform.translate = {0.1 * (i % 100) - 5, 0.01, 0.1 * (i / 100) - 5};
+                scene.objects.add(std::move(object));
+            }
+            AssetCache assets;
+            std::vector<double> first, moved, seen;
+            for (int run = 0; run < options_.runs; ++run) {
+                const Stopwatch anew;
+                auto compiled = compile(scene, {}, assets).value().scene;
+                first.push_back(1e3 * anew.wallSeconds());
+                Object lamp = scene.objects.at(last);
+                lamp.transform.translate.y += 0.01;
+                scene.objects.set(last, lamp);
+                const Stopwatch again;
+                compiled = compile(scene, {}, assets, compiled).value().scene;
+                moved.push_back(1e3 * again.wallSeconds());
+                scene.camera.position.x += 0.01;
+                const Stopwatch view;
+                compiled = withView(*compiled, scene).value();
+                seen.push_back(1e3 * view.wallSeconds());
+            }
+            table.add({format("%d", objects), format("%.2f", median(first)), format("%.2f", median(moved)), format("%.3f", median(seen))});
+            json_["edits"].push_back({{"objects", objects}, {"first_ms", median(first)}, {"moved_ms", median(moved)}, {"view_ms", median(seen)}});
+        }
+        std::printf("%s\n", table.markdown().c_str());
     }
 
     void lights() {
