@@ -14,7 +14,8 @@ struct CellState {
     double freedom = 0;         ///< degrees of freedom of that
     double mean = 0;            ///< of half A
     std::uint32_t samples = 0;  ///< that every pixel has
-    int pixels = 0;             ///< within the rectangle
+    int pixels = 0;             ///< within the rectangle, whose light was not put
+    bool tellsMean = false;     ///< it has some light
 };
 
 CellGoals cellsOf(const Film& film, const AdaptiveRule& rule) {
@@ -29,19 +30,22 @@ CellState stateOf(const Film& film, const PixelRect& rect, int cell, int column,
     CellState out;
     double squares = 0;
     std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
+    int means = 0;
     for (int y = std::max(rect.y, row * cell); y < std::min(rect.y + rect.height, (row + 1) * cell); ++y)
         for (int x = std::max(rect.x, column * cell); x < std::min(rect.x + rect.width, (column + 1) * cell); ++x) {
             const HalfMoments half = film.momentsA(x, y);
+            if (half.samples > 0) out.mean += half.sum / half.samples, ++means;
+            if (film.isPut(x, y)) continue;
             least = std::min(least, film.samples(x, y));
             ++out.pixels;
-            if (half.samples > 0) out.mean += half.sum / half.samples;
             if (half.samples < 2) continue;
             squares += std::max(0.0, half.squares - half.sum * half.sum / half.samples);
             out.freedom += half.samples - 1;
         }
     out.samples = out.pixels ? least : 0;
     out.variance = out.freedom > 0 ? squares / out.freedom : 0;
-    if (out.pixels) out.mean /= out.pixels;
+    out.tellsMean = means > 0;
+    if (means) out.mean /= means;
     return out;
 }
 
@@ -53,18 +57,20 @@ struct Neighbourhood {
 Neighbourhood neighbourhoodOf(const std::vector<CellState>& cells, int columns, std::size_t i) {
     const int rows = static_cast<int>(cells.size()) / columns, row = static_cast<int>(i) / columns, column = static_cast<int>(i) % columns;
     double variance = 0, sum = 0, squares = 0;
-    int count = 0;
+    int count = 0, means = 0;
     for (int r = std::max(0, row - 1); r <= std::min(rows - 1, row + 1); ++r)
         for (int c = std::max(0, column - 1); c <= std::min(columns - 1, column + 1); ++c)
-            if (const CellState& cell = cells[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c)]; cell.pixels > 0) {
+            if (const CellState& cell = cells[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c)]; cell.tellsMean) {
                 const double difference = cell.mean - cells[i].mean;
-                variance += cell.variance;
                 sum += difference;
                 squares += difference * difference;
+                ++means;
+                if (cell.pixels == 0) continue;
+                variance += cell.variance;
                 ++count;
             }
     if (count == 0) return {};
-    return {variance / count, std::max(0.0, squares / count - sum * sum / (count * count))};
+    return {variance / count, std::max(0.0, squares / means - sum * sum / (means * means))};
 }
 
 /// A cell that may get samples: what they cost, and what each gains.

@@ -27,7 +27,7 @@ struct AdaptiveRule {
 /// `path` is noisy all over, and the variance of a pixel is known only after many samples: tiles. A picture of `classic` errs at its
 /// edges, which the samples of a pixel and its neighbours tell at once: pixels. Stratified, n samples of an edge err by n^-3/4. Two
 /// samples of each pixel and the contrast to its neighbours come to the same error with three quarters of the rays that four samples
-/// take without it.
+/// take without it. Where few rays tell pixels by their outlines (outlines.h), only those are left that these do not tell.
 [[nodiscard]] constexpr AdaptiveRule adaptiveRule(Integrator integrator) {
     if (integrator == Integrator::Classic) return {.cell = 1, .uniform = 2, .spread = 128, .believed = 2, .fall = 1.5, .trust = 2, .contrast = 0.25};
     return {.cell = 8, .uniform = 64, .spread = 16, .believed = 16, .fall = 1, .trust = std::numeric_limits<double>::infinity(), .contrast = 0};
@@ -40,7 +40,7 @@ inline constexpr double kBytesACell = 80;
 /// samples a pixel at most. A pure function of the film, in which every cell that `rect` touches has reached its goal of the stage
 /// before (or has no samples); so the course of a render does not depend on threads or timing.
 ///
-/// Up to AdaptiveRule::uniform samples all cells go together. Then each stage doubles the cells where that lowers the squared error
+/// Pixels whose light was put (Film::put) get none. Up to AdaptiveRule::uniform samples all cells go together. Then each stage doubles the cells where that lowers the squared error
 /// of the picture most for its cost, in order of (variance of a sample) / samples^(1 + fall), until a stage costs a quarter of all
 /// samples so far.
 bool nextGoals(const Film& film, const PixelRect& rect, std::uint32_t spp, const AdaptiveRule& rule, WorkerPool& pool, const CancelToken& cancel, CellGoals& out);

@@ -5,6 +5,7 @@
 
 #include "tracer/render/adaptive.h"
 #include "tracer/render/film.h"
+#include "tracer/render/outlines.h"
 #include "tracer/render/stop_rule.h"
 
 namespace glint {
@@ -59,7 +60,7 @@ Result<int> rowsAtOnce(const RenderScene& scene, const RenderRequest& request, d
     // The picture, and its planes or bytes for the file; of the part that is rendered, the film; layers and goals are as large as the picture.
     constexpr double kPicture = 2 * 3 * sizeof(float), kFilm = Film::kBytesAPixel, kLayers = 300;
     const int cell = adaptiveRule(scene.settings.integrator).cell;
-    const double goals = samplesAdaptively(scene.settings) ? kBytesACell / (cell * cell) : 0;
+    const double goals = samplesAdaptively(scene.settings) ? kBytesACell / (cell * cell) + (Outlines::suit(scene) ? Outlines::kBytesAPixel : 0) : 0;
     const double picture = (kPicture + (request.layers ? kLayers : 0) + goals) * scene.film.width * scene.film.height;
     const double row = kFilm * rect.width, whole = picture + row * rect.height;
     if (whole <= bytes) return rect.height;

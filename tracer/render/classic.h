@@ -4,6 +4,8 @@
 // distance inside, recursion to a depth, the environment where a ray leaves the scene. Start reading at trace().
 #pragma once
 
+#include <limits>
+
 #include "tracer/render/layers.h"
 #include "tracer/render/path_record.h"
 #include "tracer/render/shadow.h"
@@ -56,6 +58,11 @@ class ClassicTracer {
         record([&](PathRecord& r) { r.add(branch.vertex, scene_, kind, light, visible, value); });
     }
 
+    /// Notes what the branch has met. Dim branches, which are there by chance, count for nothing.
+    void follow(const Branch& branch, std::uint32_t met) {
+        if (branch.importance > kDim) state_.follow(branch.key ^ sobol::mix(met));
+    }
+
     /// Adds the light that arrives along the branch.
     void trace(Branch branch) {
         if (state_.stop()) return;
@@ -65,7 +72,10 @@ class ClassicTracer {
             if (!branch.media.empty())
                 branch.weight *= transmittance<F>(mediumOf(scene_, fillingShape(scene_, branch.media)), hit.t, state_.work);
         record([&](PathRecord& r) { r.travel(branch.vertex, hit.t, mediumOf(scene_, fillingShape(scene_, branch.media))); });
-        if (!hit.found()) return addSky(branch);
+        if (!hit.found()) {
+            follow(branch, ~0u);
+            return addSky(branch);
+        }
         const SurfacePoint point = surfacePoint(scene_, branch.ray, hit, branch.media);
         const CompiledMaterial& material = scene_.materials[point.instance(scene_).material];
         state_.materials |= material.bit;
@@ -74,6 +84,7 @@ class ClassicTracer {
             branch.media.cross(point.shape);
             return trace(branch);
         }
+        follow(branch, point.shape * 16 + static_cast<std::uint32_t>(2 * point.face) + (point.outside ? 1 : 0));
         if constexpr (has(F, Feature::Layers))
             if (branch.depth == 0) describeSurface(scene_, point, *state_.layers, state_.work);
         record([&](PathRecord& r) { r.arrive(branch.vertex, scene_, point, branch.weight); });
@@ -97,7 +108,10 @@ class ClassicTracer {
     }
 
     Rgb seenInSky(const CompiledEnvironment& environment, const DVec3& direction) const {
-        if (environment.map) ++state_.work[Work::MapLookups];
+        if (environment.map) {
+            ++state_.work[Work::MapLookups];
+            state_.doubt = std::numeric_limits<float>::infinity();
+        }
         return environment.radiance(direction);
     }
 
@@ -132,6 +146,7 @@ class ClassicTracer {
             const Ray ray = point.ray(s.wi, wi.z < 0);
             const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(state_, point, branch.media, wi), {i, s.distance, s.shape},
                                                      scene_.settings.maxDepth - branch.depth - 1, scene_.settings.transparentShadows);
+            if (isBlack(share) && !isBlack(f.f)) follow(branch, 0x80000000u + i);
             const Rgb value = branch.weight * f.f * s.radiance * share * static_cast<float>(std::abs(wi.z) / s.pdf);
             add(branch, PathLight::Kind::Direct, scene_.lights.lights[i].group, value, i, share);
         }
@@ -161,7 +176,10 @@ class ClassicTracer {
         }
         ++state_.rays.scatter;
         record([&](PathRecord& r) { next.vertex = r.leave(branch.vertex, eventOf(point, way), way.weight, static_cast<double>(chance)); });
+        const float before = luminance(sum_);
         trace(next);
+        // The variance of what comes with this chance, as told by one that has come.
+        if (const float come = luminance(sum_) - before; chance < 1) state_.doubt += come * come * (1 - chance);
     }
 
     static Branches perfectBranches(const CompiledMaterial& material, const SurfacePoint& point) {

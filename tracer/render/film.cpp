@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "tracer/base/check.h"
+
 namespace glint {
 
 Film::Film(int width, int height, std::size_t groups) : width_(width), height_(height), groups_(groups) {
@@ -35,17 +37,19 @@ Film::Tile& Film::own(std::size_t index) {
     return *tile;
 }
 
+Film::Sums& Film::begin(Tile& tile, std::size_t place) const {
+    tile.sums[place] = {DVec3(0.0), DVec3(0.0), 0, 0};
+    tile.materials[place] = 0;
+    tile.generation[place] = generation_;
+    if (groups_ > 1) std::fill_n(tile.light + place * 2 * groups_, 2 * groups_, Vec3(0.0f));
+    return tile.sums[place];
+}
+
 void Film::add(int x, int y, const Rgb& value, const GroupLight& groups, std::uint64_t materials) {
     Tile& tile = own(tileOf(x, y));
     const std::size_t place = placeOf(x, y);
-    Sums& sums = tile.sums[place];
+    Sums& sums = holds(tile.generation[place]) ? tile.sums[place] : begin(tile, place);
     Vec3* light = tile.light + place * 2 * groups_;
-    if (!holds(tile.generation[place])) {
-        sums = {DVec3(0.0), DVec3(0.0), 0, 0};
-        tile.materials[place] = 0;
-        tile.generation[place] = generation_;
-        if (groups_ > 1) std::fill_n(light, 2 * groups_, Vec3(0.0f));
-    }
     const bool isA = sums.samples % 2 == 0;
     if (groups_ > 1)
         for (std::size_t g = 0; g < groups_; ++g) light[(isA ? 0 : groups_) + g] += groups[g];
@@ -56,6 +60,21 @@ void Film::add(int x, int y, const Rgb& value, const GroupLight& groups, std::ui
     (isA ? sums.a : sums.b) += toDouble(value);
     tile.materials[place] |= materials;
     ++sums.samples;
+}
+
+void Film::put(int x, int y, const Rgb& value, float error, std::uint32_t rays, std::uint64_t materials) {
+    GLINT_CHECK(groups_ == 1);
+    Tile& tile = own(tileOf(x, y));
+    const std::size_t place = placeOf(x, y);
+    Sums& sums = begin(tile, place);
+    // Two samples at least, as many in each half. Which half is brighter must not be the same everywhere.
+    const std::uint32_t each = std::max(1u, (rays + 1) / 2);
+    const double apart = (sobol::mix(static_cast<std::uint32_t>(y * width_ + x)) & 1) ? static_cast<double>(error) : -static_cast<double>(error);
+    sums.a = static_cast<double>(each) * (toDouble(value) + apart);
+    sums.b = static_cast<double>(each) * (toDouble(value) - apart);
+    sums.samples = 2 * each;
+    sums.squaresA = -1;
+    tile.materials[place] = materials;
 }
 
 HalfMoments Film::momentsA(int x, int y) const {

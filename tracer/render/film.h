@@ -67,6 +67,14 @@ class Film {
 
     /// Adds the next sample of the pixel; `light` by group is used if groups() is above 1.
     void add(int x, int y, const Rgb& value, const GroupLight& light, std::uint64_t materials);
+    /// In the place of all samples of the pixel: its light as found by so many rays together, and its standard error in luminance, by which the
+    /// halves are set apart.
+    void put(int x, int y, const Rgb& value, float error, std::uint32_t rays, std::uint64_t materials);
+    /// The pixel's light was put and no sample was added since.
+    [[nodiscard]] bool isPut(int x, int y) const {
+        const Sums* sums = find(x, y);
+        return sums && sums->squaresA < 0;
+    }
     /// Takes the samples of a rectangle away.
     void clear(const PixelRect& rect);
     /// Takes away the samples of the pixels that rest on any of `materials`; answers how many pixels. remembered() still has their
@@ -116,7 +124,7 @@ class Film {
     struct Sums {
         DVec3 a, b;
         std::uint32_t samples;
-        float squaresA;  ///< sum of squares of luminance
+        float squaresA;  ///< sum of squares of luminance; below 0: the pixel's light was put
     };
     /// Materials lie apart: forget() reads those of every pixel and no sums.
     struct Tile {
@@ -138,6 +146,8 @@ class Film {
     static constexpr std::uint32_t kForgotten = 1u << 31;  ///< added to a pixel's generation
     [[nodiscard]] bool holds(std::uint32_t generation) const { return generation >= oldest_ && generation <= generation_; }
     std::size_t forgetRow(std::uint64_t materials, int tileRow);
+    /// Empties a pixel.
+    Sums& begin(Tile& tile, std::size_t place) const;
     /// The tile for writing: not shared with any copy.
     Tile& own(std::size_t tile);
     [[nodiscard]] std::shared_ptr<Tile> newTile() const;

@@ -39,6 +39,8 @@ struct KernelState {
     GroupLight* groups = nullptr;   ///< if not null: filled with the sample's light by group
     const FewShapes* seen = nullptr;  ///< if not null: all shapes that the camera's ray can meet
     std::uint64_t materials = 0;    ///< set of the materials whose values the sample rests on, see materialBit()
+    std::uint32_t trail = 0;        ///< of the sample: a hash of what its rays met. Between samples of one trail the light changes smoothly; classic alone tells it
+    float doubt = 0;                ///< of the sample: variance of its luminance by chance (roulette); infinite where it may jump within a trail
     WorkCounts work;
 
     /// To be asked at every path vertex.
@@ -46,6 +48,8 @@ struct KernelState {
         if (cancel.cancelled()) cancelled = true;
         return cancelled;
     }
+    /// The sample's rays have met this: what it is in any numbering that other samples have too.
+    void follow(std::uint32_t met) { trail = sobol::mix(trail ^ met); }
     void addToGroup(std::uint8_t group, const Rgb& value) {
         if (groups) (*groups)[group] += value;
     }
@@ -54,11 +58,15 @@ struct KernelState {
 /// Radiance of sample number `sample` of pixel (x, y).
 using KernelFunction = Rgb (*)(KernelState& state, int x, int y, std::uint32_t sample);
 
+/// Radiance along a camera ray with the random numbers of `sampler`.
+using RayFunction = Rgb (*)(KernelState& state, const Ray& cameraRay, const Sampler& sampler);
+
 struct Kernel {
     std::string_view name;
     Integrator integrator = Integrator::Path;
     Features features = 0;  ///< what it can trace
     KernelFunction run = nullptr;
+    RayFunction trace = nullptr;  ///< classic alone
 };
 
 /// All kernels that are built.

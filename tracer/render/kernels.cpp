@@ -11,18 +11,34 @@ namespace glint {
 
 namespace {
 
-template <class Tracer, Features F>
-Rgb runKernel(KernelState& state, int x, int y, std::uint32_t sample) {
+template <class Tracer>
+Rgb traceRay(KernelState& state, const Ray& cameraRay, const Sampler& sampler) {
     const RenderScene& scene = state.scene;
-    const Sampler sampler = samplerFor(scene, x, y, sample);
     state.cancelled = false;
     state.materials = 0;
+    state.trail = 0;
+    state.doubt = 0;
     for (int i = 0; i < scene.cameraMedia.size(); ++i) state.materials |= scene.materials[scene.shapes[scene.cameraMedia[i]].material].bit;
     if (state.groups) *state.groups = {};
-    Rgb value = Tracer(state, sampler).radiance(cameraRay<F>(scene, sampler, x, y, state.work));
+    Rgb value = Tracer(state, sampler).radiance(cameraRay);
     if (const auto limit = static_cast<float>(scene.settings.clamp); limit > 0)
         if (const float size = maxComponent(value); size > limit) value *= limit / size;
     return value;
+}
+
+template <class Tracer, Features F>
+Rgb runKernel(KernelState& state, int x, int y, std::uint32_t sample) {
+    const Sampler sampler = samplerFor(state.scene, x, y, sample);
+    return traceRay<Tracer>(state, cameraRay<F>(state.scene, sampler, x, y, state.work), sampler);
+}
+
+template <Features F>
+constexpr Kernel path(std::string_view name) {
+    return {name, Integrator::Path, F, runKernel<PathTracer<F>, F>};
+}
+template <Features F>
+constexpr Kernel classic(std::string_view name) {
+    return {name, Integrator::Classic, F, runKernel<ClassicTracer<F>, F>, traceRay<ClassicTracer<F>>};
 }
 
 constexpr Features bits(auto... features) { return (static_cast<Features>(features) | ...); }
@@ -36,18 +52,18 @@ constexpr Features kLayers = kAllFeatures | bits(Feature::Layers);
 constexpr Features kNoSkips = kAllFeatures | bits(Feature::NoSkips);
 
 constexpr std::array kKernels = {
-    Kernel{"path: diffuse", Integrator::Path, kDiffuse, runKernel<PathTracer<kDiffuse>, kDiffuse>},
-    Kernel{"path: mirrors", Integrator::Path, kMirrors, runKernel<PathTracer<kMirrors>, kMirrors>},
-    Kernel{"path: glass", Integrator::Path, kGlass, runKernel<PathTracer<kGlass>, kGlass>},
-    Kernel{"path: rough", Integrator::Path, kRough, runKernel<PathTracer<kRough>, kRough>},
-    Kernel{"path: rough, glass", Integrator::Path, kRoughGlass, runKernel<PathTracer<kRoughGlass>, kRoughGlass>},
-    Kernel{"path: all", Integrator::Path, kAllFeatures, runKernel<PathTracer<kAllFeatures>, kAllFeatures>},
-    Kernel{"path: layers", Integrator::Path, kLayers, runKernel<PathTracer<kLayers>, kLayers>},
-    Kernel{"path: no skips", Integrator::Path, kNoSkips, runKernel<PathTracer<kNoSkips>, kNoSkips>},
-    Kernel{"classic: mirrors", Integrator::Classic, kMirrors, runKernel<ClassicTracer<kMirrors>, kMirrors>},
-    Kernel{"classic: layers", Integrator::Classic, kLayers, runKernel<ClassicTracer<kLayers>, kLayers>},
-    Kernel{"classic: all", Integrator::Classic, kAllFeatures, runKernel<ClassicTracer<kAllFeatures>, kAllFeatures>},
-    Kernel{"classic: no skips", Integrator::Classic, kNoSkips, runKernel<ClassicTracer<kNoSkips>, kNoSkips>},
+    path<kDiffuse>("path: diffuse"),
+    path<kMirrors>("path: mirrors"),
+    path<kGlass>("path: glass"),
+    path<kRough>("path: rough"),
+    path<kRoughGlass>("path: rough, glass"),
+    path<kAllFeatures>("path: all"),
+    path<kLayers>("path: layers"),
+    path<kNoSkips>("path: no skips"),
+    classic<kMirrors>("classic: mirrors"),
+    classic<kLayers>("classic: layers"),
+    classic<kAllFeatures>("classic: all"),
+    classic<kNoSkips>("classic: no skips"),
 };
 
 }  // namespace

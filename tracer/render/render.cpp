@@ -8,6 +8,7 @@
 
 #include "tracer/render/adaptive.h"
 #include "tracer/render/bands.h"
+#include "tracer/render/outlines.h"
 #include "tracer/render/preview_filter.h"
 #include "tracer/render/scheduler.h"
 #include "tracer/render/stop_rule.h"
@@ -54,6 +55,7 @@ class HeadlessRender {
         if (request_.stop || scene_.settings.timeSeconds > 0)
             watcher = std::jthread([this](const std::stop_token& end) { watch(end); });
         rect_ = request_.crop.value_or(PixelRect{0, 0, scene_.film.width, scene_.film.height});
+        if (samplesAdaptively(scene_.settings) && !layers_ && Outlines::suit(scene_)) outlines_.emplace(scene_, wantedFeatures(), rect_);
         bool complete = true, stopped = false;
         while (complete && !isDone(scene_.settings, state()) && anotherSampleFits()) {
             if ((stopped = !waitWhilePaused())) break;
@@ -104,9 +106,18 @@ class HeadlessRender {
         }
     }
 
+    /// Most of the error is of what is told by outlines.
+    [[nodiscard]] bool needsOutlines() const {
+        return outlines_ && !outlines_->isDone() && goals_.empty() && errors_.leastSamples >= adaptiveRule(Integrator::Classic).believed &&
+               0.8 * errors_.picture < outlines_->error();
+    }
+
     /// One pass; false when cancelled. Uniform ones bring all pixels to one number of samples, adaptive ones are parts of a stage.
     bool pass(Scheduler& scheduler) {
         const int done = errors_.leastSamples, most = samplesInPass();
+        const CancelToken cancel{&epoch_, 0};
+        if (outlines_ && counts_.rays.primary == 0) return told(outlines_->look(film_, pool_, cancel, counts_));
+        if (needsOutlines()) return told(outlines_->refine(film_, 0.01 * scene_.settings.errorPercent, pool_, cancel, counts_));
         SampleGoal goal;
         if (samplesAdaptively(scene_.settings)) {
             if (goals_.empty()) nextGoals(film_, rect_, static_cast<std::uint32_t>(scene_.settings.spp), adaptiveRule(scene_.settings.integrator), pool_, {}, goals_);
@@ -114,14 +125,19 @@ class HeadlessRender {
         } else {
             goal.samples = static_cast<std::uint32_t>(std::min(scene_.settings.spp, done + most));
         }
-        const PassResult result = scheduler.renderPass(scene_, film_, layers_ ? &*layers_ : nullptr, rect_, 1, goal, {&epoch_, 0}, counts_);
+        const PassResult result = scheduler.renderPass(scene_, film_, layers_ ? &*layers_ : nullptr, rect_, 1, goal, cancel, counts_);
         everyPixelHasASample_.store(done > 0 || result != PassResult::Cancelled, std::memory_order_relaxed);
         if (result == PassResult::Partial) return true;
-        // The rule by error is asked when a stage is whole, so that it does not depend on timing.
-        findErrors(film_, rect_, pool_, {}, errors_);
-        trend_.add(elapsed(), errors_.picture);
         if (result == PassResult::Done) goals_ = {};
-        return result == PassResult::Done;
+        return told(result == PassResult::Done);
+    }
+
+    /// The rule by error is asked when a stage is whole, so that it does not depend on timing.
+    bool told(bool complete) {
+        findErrors(film_, rect_, pool_, {}, errors_);
+        if (errors_.leastSamples > 0) everyPixelHasASample_.store(true, std::memory_order_relaxed);
+        trend_.add(elapsed(), errors_.picture);
+        return complete;
     }
 
     [[nodiscard]] RenderProgressState state() const { return {elapsed(), errors_.meanSamples, errors_.leastSamples, errors_.picture}; }
@@ -193,6 +209,7 @@ class HeadlessRender {
     PixelRect rect_;  ///< what is rendered
     FilmErrors errors_;
     ErrorTrend trend_;
+    std::optional<Outlines> outlines_;  ///< where they suit the picture
     CellGoals goals_;  ///< of the adaptive stage under way; empty: there is none
     std::atomic<double> paused_{0};     ///< seconds; counted by run(), read by watch(), relaxed
     std::atomic<std::uint64_t> epoch_{0};  ///< moved by watch(); partner: the workers' CancelToken, relaxed

@@ -1,8 +1,9 @@
 #include "tracer/render/scheduler.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
+
+#include "tracer/render/tile_view.h"
 
 namespace glint {
 
@@ -59,7 +60,7 @@ class Pass {
         for (int y = y0; y < y1 && !own.cancelled; y += stride_)
             for (int x = x0; x < x1 && !own.cancelled; x += stride_) {
                 if (film_.samples(x, y) >= goalOf(x, y)) continue;
-                if (!std::exchange(culled, true)) state.seen = shapesSeen(x0, y0, x1, y1, own.seen);
+                if (!std::exchange(culled, true)) state.seen = culls_ ? shapesSeen(scene_, x0, y0, x1, y1, own.seen) : nullptr;
                 renderPixel(state, x, y, own);
             }
         merge(own.counts, {state.rays, state.work, 0, {}});
@@ -68,14 +69,6 @@ class Pass {
   private:
     [[nodiscard]] int onGrid(int v) const { return (v + stride_ - 1) / stride_ * stride_; }
     [[nodiscard]] std::uint32_t goalOf(int x, int y) const { return goal_.cells ? goal_.cells->at(x, y) : goal_.samples; }
-
-    /// The shapes that camera rays of these pixels can meet; null: it may be any.
-    const FewShapes* shapesSeen(int x0, int y0, int x1, int y1, FewShapes& few) const {
-        if (!culls_) return nullptr;
-        const double margin = scene_.film.filterRadius - 0.5;
-        const std::optional<RayBundle> bundle = scene_.camera.bundle(x0 - margin, y0 - margin, x1 + margin, y1 + margin);
-        return bundle && scene_.lists->cull(*bundle, few) ? &few : nullptr;
-    }
 
     void renderPixel(KernelState& state, int x, int y, WorkerCounts& own) {
         const std::uint32_t goal = goalOf(x, y), begin = film_.samples(x, y);

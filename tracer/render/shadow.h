@@ -70,6 +70,7 @@ template <Features F>
             share *= straightWeight(material, point.wo, point.eta, state.work);
             if (isBlack(share)) return share;
         }
+        state.follow(point.shape * 16 + static_cast<std::uint32_t>(point.face));
         if (instance.dielectric) media.cross(hit.shape);
         tMax -= hit.t;
         ray = point.ray(ray.direction, point.outside);
