@@ -40,7 +40,9 @@ void Document::replace(Scene scene, const std::filesystem::path& file, Origin or
     file_ = file;
     undoStack_.clear();
     if (origin == Origin::Recovered) undoStack_.resetClean();
+    replacing_ = true;
     show(std::move(scene));
+    replacing_ = false;
     emit replaced();
     emit titleChanged();
 }

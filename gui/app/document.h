@@ -40,6 +40,8 @@ class Document : public QObject {
     enum class Origin { Saved, Recovered };
     /// Replaces everything by a new document and empties the undo stack. A recovered one counts as modified.
     void replace(Scene scene, const std::filesystem::path& file, Origin origin = Origin::Saved);
+    /// While changed() tells of a whole new document: nothing in it is an edit.
+    [[nodiscard]] bool isReplacing() const { return replacing_; }
     /// The document now stands in `file` as it is. `scene` differs from scene() at most in relative paths.
     void setSaved(const std::filesystem::path& file, Scene scene);
 
@@ -67,6 +69,7 @@ class Document : public QObject {
     void show(Scene scene);
 
     Scene scene_;
+    bool replacing_ = false;
     std::optional<Scene> beforePreview_;
     std::filesystem::path file_;
     QUndoStack undoStack_;

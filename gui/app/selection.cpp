@@ -9,7 +9,6 @@ namespace glint {
 
 Selection::Selection(const Document& document, QObject* parent) : QObject(parent), document_(document) {
     connect(&document, &Document::changed, this, &Selection::follow);
-    connect(&document, &Document::replaced, this, &Selection::clear);
 }
 
 bool Selection::contains(Item item) const { return std::find(items_.begin(), items_.end(), item) != items_.end(); }
@@ -37,6 +36,7 @@ void Selection::toggle(Item item) {
 }
 
 void Selection::follow(const Scene& before) {
+    if (document_.isReplacing()) return clear();
     const Scene& scene = document_.scene();
     std::vector<Item> come;
     forEachItemDifference(before, scene, [&](const ItemDifference& change) {

@@ -1,5 +1,7 @@
 #include "gui/app/document.h"
 
+#include <QSignalSpy>
+
 #include "gui/app/selection.h"
 #include "support.h"
 
@@ -109,6 +111,17 @@ class DocumentTest : public QObject {
         QCOMPARE(selection.items(), std::vector<Item>{kBall});
         document.undoStack().redo();
         QVERIFY(selection.isEmpty());
+    }
+    void newDocumentSelectsNothingOnItsWay() {
+        Document document;
+        Selection selection(document);
+        const QSignalSpy changes(&selection, &Selection::changed);
+        document.replace(smallScene(), {});
+        QCOMPARE(changes.count(), 0);
+        selection.set({kBall});
+        document.replace(Scene{}, {});
+        QVERIFY(selection.isEmpty());
+        QCOMPARE(changes.count(), 2);
     }
     void savedDocumentIsUnmodified() {
         Document document;
