@@ -4,6 +4,7 @@
 #include <QRegularExpression>
 #include <QSettings>
 #include <QWidget>
+#include <optional>
 
 #include "gui/widgets/icons.h"
 #include "tracer/base/check.h"
@@ -114,9 +115,9 @@ namespace {
 QString settingOf(const QString& id) { return "shortcuts/" + id; }
 
 /// What the person chose for the action, else the table's keys.
-QList<QKeySequence> keptKeys(Memory memory, const ActionRow& row) {
-    if (memory == Memory::None) return sequences(row.keys);
-    const QVariant kept = QSettings().value(settingOf(row.id));
+QList<QKeySequence> keptKeys(const std::optional<QSettings>& settings, const ActionRow& row) {
+    if (!settings) return sequences(row.keys);
+    const QVariant kept = settings->value(settingOf(row.id));
     return kept.isValid() ? sequences(kept.toString().toLatin1().constData()) : sequences(row.keys);
 }
 
@@ -128,10 +129,12 @@ void showKeysInTip(QAction* action) {
 }  // namespace
 
 Actions::Actions(QWidget* window, Memory memory) : QObject(window), memory_(memory) {
+    std::optional<QSettings> settings;
+    if (memory == Memory::Settings) settings.emplace();
     for (const ActionRow& row : kRows) {
         auto* action = new QAction(tr(row.text), this);
         action->setObjectName(row.id);
-        action->setShortcuts(keptKeys(memory, row));
+        action->setShortcuts(keptKeys(settings, row));
         action->setCheckable(row.checkable);
         if (*row.icon) action->setIcon(icon(row.icon));
         action->setStatusTip(tr(row.tip));
