@@ -52,6 +52,7 @@
 #include "gui/viewport/render_view.h"
 #include "gui/viewport/view_commands.h"
 #include "gui/widgets/icons.h"
+#include "gui/widgets/lazy_dock.h"
 #include "gui/widgets/message_bar.h"
 #include "gui/widgets/status_line.h"
 
@@ -61,6 +62,22 @@ namespace {
 
 /// How long a passing notice stands in the status line.
 constexpr int kNoticeMs = 4000;
+
+QWidget* makeHistory(Document& document, QWidget* parent) {
+    auto* history = new QUndoView(&document.undoStack(), parent);
+    history->setEmptyLabel(MainWindow::tr("As opened"));
+    history->setAccessibleName(MainWindow::tr("History"));
+    history->setUniformItemSizes(true);  // Else every step measures all others.
+    return history;
+}
+
+QWidget* makeLog(MessageLog& log, QWidget* parent) {
+    auto* lines = new QListView(parent);
+    lines->setModel(&log);
+    lines->setWordWrap(true);
+    lines->setAccessibleName(MainWindow::tr("Log"));
+    return lines;
+}
 
 }  // namespace
 
@@ -116,7 +133,7 @@ void MainWindow::buildInterface() {
     bindViewCommands(*actions_, *viewCommands_, *edits_, *view_);
     bindTools(*actions_, *view_);
     bindHelp(*actions_, *search_, *this);
-    new MissingAssets(document_, *renderer_, *environment_, *messages_, actions_);
+    new MissingAssets(document_, *renderer_, [this]() -> EnvironmentPicker& { return environment(); }, *messages_, actions_);
     new PictureControls(*actions_, *renderer_, *view_, document_, selection_, actions_);
     connectState();
     updateTitle();
@@ -158,57 +175,52 @@ void MainWindow::buildCenter() {
     statusBar()->setSizeGripEnabled(false);
 }
 
-QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
-    auto* dock = new QDockWidget(title, this);
+LazyDock* MainWindow::addDock(const QString& name, const QString& title, Qt::DockWidgetArea area, std::function<QWidget*(QWidget* parent)> make) {
+    auto* dock = new LazyDock(title, std::move(make), this);
     dock->setObjectName(name);
-    dock->setWidget(content);
     addDockWidget(area, dock);
     return dock;
 }
 
 void MainWindow::buildDocks() {
-    objects_ = new ObjectList(document_, selection_, this);
-    environment_ = new EnvironmentPicker(document_, environmentFolder(), this);
-    properties_ = new PropertyPanel(document_, selection_, this);
+    LazyDock* objects = addDock("objects", tr("Objects"), Qt::LeftDockWidgetArea, [this](QWidget* parent) { return new ObjectList(document_, selection_, parent); });
+    objects_ = static_cast<ObjectList*>(objects->content());
+    LazyDock* materials = addDock("materials", tr("Materials"), Qt::LeftDockWidgetArea,
+                                  [this](QWidget* parent) { return new MaterialPanel(document_, selection_, *materialPreviews_, parent); });
+    materials_ = static_cast<MaterialPanel*>(materials->content());
+    environment_ = addDock("environment", tr("Environment"), Qt::LeftDockWidgetArea,
+                           [this](QWidget* parent) { return new EnvironmentPicker(document_, environmentFolder(), parent); });
+    LazyDock* properties = addDock("properties", tr("Properties"), Qt::RightDockWidgetArea,
+                                   [this](QWidget* parent) { return new PropertyPanel(document_, selection_, parent); });
+    properties_ = static_cast<PropertyPanel*>(properties->content());
     properties_->setPreviews(*materialPreviews_);
-    materials_ = new MaterialPanel(document_, selection_, *materialPreviews_, this);
     connect(materials_, &MaterialPanel::chosen, properties_, &PropertyPanel::showMaterial);
     connect(materials_, &MaterialPanel::refused, messages_, [this](const QString& reason) { messages_->show(MessageBar::Level::Warning, reason); });
-    auto* history = new QUndoView(&document_.undoStack(), this);
-    history->setEmptyLabel(tr("As opened"));
-    history->setAccessibleName(tr("History"));
-    history->setUniformItemSizes(true);  // Else every step measures all others.
-    QDockWidget* objects = addDock("objects", tr("Objects"), objects_, Qt::LeftDockWidgetArea);
-    QDockWidget* materials = addDock("materials", tr("Materials"), materials_, Qt::LeftDockWidgetArea);
-    QDockWidget* environment = addDock("environment", tr("Environment"), environment_, Qt::LeftDockWidgetArea);
-    QDockWidget* properties = addDock("properties", tr("Properties"), properties_, Qt::RightDockWidgetArea);
-    QDockWidget* render = addDock("render", tr("Render"), new RenderPanel(document_, this), Qt::RightDockWidgetArea);
-    QDockWidget* exports = addDock("exports", tr("Exports"), new ExportPanel(*exports_, this), Qt::RightDockWidgetArea);
-    QDockWidget* steps = addDock("history", tr("History"), history, Qt::RightDockWidgetArea);
-    auto* lines = new QListView(this);
-    lines->setModel(log_);
-    lines->setWordWrap(true);
-    lines->setAccessibleName(tr("Log"));
-    QDockWidget* statistics = addDock("statistics", tr("Statistics"), new StatisticsPanel(document_, *renderer_, this), Qt::RightDockWidgetArea);
-    QDockWidget* log = addDock("log", tr("Log"), lines, Qt::RightDockWidgetArea);
-    tabifyDockWidget(materials, environment);
+    QDockWidget* render = addDock("render", tr("Render"), Qt::RightDockWidgetArea, [this](QWidget* parent) { return new RenderPanel(document_, parent); });
+    QDockWidget* exports = addDock("exports", tr("Exports"), Qt::RightDockWidgetArea, [this](QWidget* parent) { return new ExportPanel(*exports_, parent); });
+    QDockWidget* history = addDock("history", tr("History"), Qt::RightDockWidgetArea, [this](QWidget* parent) { return makeHistory(document_, parent); });
+    QDockWidget* statistics = addDock("statistics", tr("Statistics"), Qt::RightDockWidgetArea,
+                                      [this](QWidget* parent) { return new StatisticsPanel(document_, *renderer_, parent); });
+    QDockWidget* log = addDock("log", tr("Log"), Qt::RightDockWidgetArea, [this](QWidget* parent) { return makeLog(*log_, parent); });
+    tabifyDockWidget(materials, environment_);
     materials->raise();
     tabifyDockWidget(properties, render);
-    tabifyDockWidget(render, steps);
-    tabifyDockWidget(steps, exports);
+    tabifyDockWidget(render, history);
+    tabifyDockWidget(history, exports);
     tabifyDockWidget(exports, statistics);
     tabifyDockWidget(statistics, log);
     // Seldom wanted, and six tabs would cut each other's names: the Window menu shows them, and an export its own.
     exports->hide();
     statistics->hide();
     log->hide();
-    inspector_ = new PixelInspector(document_, *renderer_, selection_, this);
-    QDockWidget* inspector = addDock("inspector", tr("Pixel"), inspector_, Qt::BottomDockWidgetArea);
-    inspector->hide();
-    connect(view_, &RenderView::inspectRequested, inspector, [this, inspector](const QPoint& pixel) {
-        inspector->show();
-        inspector->raise();
-        inspector_->inspect(pixel);
+    inspector_ = addDock("inspector", tr("Pixel"), Qt::BottomDockWidgetArea,
+                         [this](QWidget* parent) { return new PixelInspector(document_, *renderer_, selection_, parent); });
+    inspector_->hide();
+    connect(view_, &RenderView::inspectRequested, inspector_, [this](const QPoint& pixel) {
+        PixelInspector& content = inspector();
+        inspector_->show();
+        inspector_->raise();
+        content.inspect(pixel);
     });
     properties->raise();
     const int unit = fontMetrics().averageCharWidth();
@@ -216,6 +228,10 @@ void MainWindow::buildDocks() {
     resizeDocks({objects, properties}, {unit * 40, unit * 64}, Qt::Horizontal);
     resizeDocks({objects, materials}, {360, 380}, Qt::Vertical);
 }
+
+EnvironmentPicker& MainWindow::environment() { return static_cast<EnvironmentPicker&>(*environment_->content()); }
+
+PixelInspector& MainWindow::inspector() { return static_cast<PixelInspector&>(*inspector_->content()); }
 
 void MainWindow::connectFileActions() {
     actions_->on("file.new", files_, &FileController::newScene);
@@ -364,7 +380,7 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::openDropped(const std::filesystem::path& file) {
-    if (isPicture(file)) environment_->choose(file);
+    if (isPicture(file)) environment().choose(file);
     else files_->open(file);
 }
 

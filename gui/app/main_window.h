@@ -4,6 +4,7 @@
 
 #include <QMainWindow>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "gui/app/document.h"
@@ -11,7 +12,6 @@
 #include "gui/app/preferences.h"
 #include "gui/app/selection.h"
 
-class QDockWidget;
 class QStackedWidget;
 
 namespace glint {
@@ -26,6 +26,7 @@ class FileController;
 class MaterialPanel;
 class MaterialPreviews;
 class FileWatch;
+class LazyDock;
 class MainMenus;
 class MessageBar;
 class MessageLog;
@@ -54,10 +55,10 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] RenderView& view() { return *view_; }
     [[nodiscard]] ObjectList& objectList() { return *objects_; }
     [[nodiscard]] PropertyPanel& properties() { return *properties_; }
-    [[nodiscard]] EnvironmentPicker& environment() { return *environment_; }
+    [[nodiscard]] EnvironmentPicker& environment();
     [[nodiscard]] MaterialPanel& materials() { return *materials_; }
     [[nodiscard]] MaterialPreviews& materialPreviews() { return *materialPreviews_; }
-    [[nodiscard]] PixelInspector& inspector() { return *inspector_; }
+    [[nodiscard]] PixelInspector& inspector();
     [[nodiscard]] MessageBar& messages() { return *messages_; }
     [[nodiscard]] FileController& files() { return *files_; }
     [[nodiscard]] ExportQueue& exports() { return *exports_; }
@@ -90,7 +91,8 @@ class MainWindow : public QMainWindow {
     void connectFileActions();
     void connectState();
     void connectDisk();
-    QDockWidget* addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
+    /// `make` builds the content when the dock is first seen or asked for.
+    LazyDock* addDock(const QString& name, const QString& title, Qt::DockWidgetArea area, std::function<QWidget*(QWidget* parent)> make);
     void updateTitle();
     void updateSelectionText();
     void openExport();
@@ -113,11 +115,11 @@ class MainWindow : public QMainWindow {
     StatusLine* status_ = nullptr;
     ObjectList* objects_ = nullptr;
     PropertyPanel* properties_ = nullptr;
-    EnvironmentPicker* environment_ = nullptr;
+    LazyDock* environment_ = nullptr;
     MaterialPanel* materials_ = nullptr;
     PreviewRenderer* previews_ = nullptr;
     MaterialPreviews* materialPreviews_ = nullptr;
-    PixelInspector* inspector_ = nullptr;
+    LazyDock* inspector_ = nullptr;
     Actions* actions_ = nullptr;
     ViewCommands* viewCommands_ = nullptr;
     EditController* edits_ = nullptr;

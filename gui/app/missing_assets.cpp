@@ -1,6 +1,7 @@
 #include "gui/app/missing_assets.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "gui/app/document.h"
 #include "gui/app/renderer.h"
@@ -10,8 +11,8 @@
 
 namespace glint {
 
-MissingAssets::MissingAssets(const Document& document, const Renderer& renderer, EnvironmentPicker& environment, MessageBar& messages, QObject* parent)
-    : QObject(parent), document_(document), renderer_(renderer), environment_(environment), messages_(messages) {
+MissingAssets::MissingAssets(const Document& document, const Renderer& renderer, std::function<EnvironmentPicker&()> environment, MessageBar& messages, QObject* parent)
+    : QObject(parent), document_(document), renderer_(renderer), environment_(std::move(environment)), messages_(messages) {
     connect(&renderer, &Renderer::frameReady, this, &MissingAssets::check);
 }
 
@@ -27,7 +28,7 @@ void MissingAssets::check() {
     if (image.empty() || image == told_) return;
     told_ = image;
     messages_.show(MessageBar::Level::Warning, tr("The environment's picture %1 cannot be shown: %2").arg(toQString(image), toQString(missing->message)), toQString(*missing),
-                   {{tr("Locate…"), [this] { environment_.browse(); }}, {tr("Leave it out"), [this] { environment_.chooseNone(); }}});
+                   {{tr("Locate…"), [this] { environment_().browse(); }}, {tr("Leave it out"), [this] { environment_().chooseNone(); }}});
 }
 
 }  // namespace glint

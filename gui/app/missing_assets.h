@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <string>
 
 namespace glint {
@@ -15,7 +16,8 @@ class MissingAssets : public QObject {
     Q_OBJECT
 
   public:
-    MissingAssets(const Document& document, const Renderer& renderer, EnvironmentPicker& environment, MessageBar& messages, QObject* parent);
+    /// `environment` is asked for only when the person wants another picture.
+    MissingAssets(const Document& document, const Renderer& renderer, std::function<EnvironmentPicker&()> environment, MessageBar& messages, QObject* parent);
 
   private:
     /// Once for each file: a person who dismissed the message is not told again at every edit.
@@ -23,7 +25,7 @@ class MissingAssets : public QObject {
 
     const Document& document_;
     const Renderer& renderer_;
-    EnvironmentPicker& environment_;
+    std::function<EnvironmentPicker&()> environment_;
     MessageBar& messages_;
     std::string told_;  ///< the environment's picture that was missing when last told
 };

@@ -210,6 +210,10 @@ class ExportTest : public QObject {
         QCOMPARE(stateOf(0), State::Running);
         QCOMPARE(stateOf(1), State::Waiting);
         QTRY_VERIFY_WITH_TIMEOUT(queue().entries().front().progress.spp > 0, kPatienceMs);
+        auto* dock = window_->findChild<QDockWidget*>("exports");
+        dock->show();
+        dock->raise();
+        QTRY_VERIFY(window_->findChild<QToolButton*>("exports.clear"));
         auto* pause = window_->findChild<QToolButton*>(QStringLiteral("exports.pause.%1").arg(first));
         QVERIFY(pause);
         QTest::mouseClick(pause, Qt::LeftButton);

@@ -142,10 +142,9 @@ class StatesTest : public QObject {
     void aClampedPictureSaysThatItIsBiased() {
         waitForPicture();
         QVERIFY(!window_->status().text().contains("biased"));
+        window_->findChild<QDockWidget*>("render")->raise();
+        QTRY_VERIFY(window_->findChild<DragNumber*>("render.clamp"));
         auto* clamp = window_->findChild<DragNumber*>("render.clamp");
-        QVERIFY(clamp);
-        for (QWidget* dock = clamp; dock; dock = dock->parentWidget())
-            if (qobject_cast<QDockWidget*>(dock)) dock->raise();
         type(clamp, "10");
         QTRY_VERIFY_WITH_TIMEOUT(window_->status().text().contains("biased"), kPatienceMs);
         type(clamp, "0");

@@ -223,6 +223,14 @@ class WindowTest : public QObject {
         QCOMPARE(window->windowTitle(), QStringLiteral("saved.glint.json — Glint"));
         QCOMPARE(window->document().scene().objects.size(), scene.objects.size());
     }
+    void dockIsFilledWhenItIsSeen() {
+        const auto window = openWindow();
+        QCoreApplication::processEvents();
+        auto* dock = window->findChild<QDockWidget*>("render");
+        QVERIFY(!dock->widget());
+        dock->raise();
+        QTRY_VERIFY(dock->widget() && dock->widget()->isVisible());
+    }
     void brokenFileKeepsTheSceneAndSaysWhy_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::newRow("empty") << QByteArray();
@@ -411,8 +419,8 @@ class WindowTest : public QObject {
         scene.environment.sky = Sky{};
         const auto window = openWindow(scene);
         window->findChild<QDockWidget*>("environment")->raise();
-        auto* turn = window->findChild<Dial*>("environment.dial");
-        auto* sun = window->findChild<Dial*>("environment.sun");
+        auto* turn = window->environment().findChild<Dial*>("environment.dial");
+        auto* sun = window->environment().findChild<Dial*>("environment.sun");
         QVERIFY(turn && sun);
         QTRY_VERIFY(sun->isVisible() && sun->size() == sun->sizeHint());
         const auto at = [](const Dial* dial, double right, double up) { return dial->rect().center() + QPoint(static_cast<int>(right * dial->width() / 2), -static_cast<int>(up * dial->height() / 2)); };
