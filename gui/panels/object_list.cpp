@@ -15,6 +15,7 @@
 #include "gui/app/selection.h"
 #include "gui/panels/object_model.h"
 #include "gui/widgets/icons.h"
+#include "gui/widgets/search_field.h"
 
 namespace glint {
 
@@ -26,9 +27,8 @@ ObjectList::ObjectList(Document& document, Selection& selection, QWidget* parent
     filter_->setRecursiveFilteringEnabled(true);
     filter_->setFilterCaseSensitivity(Qt::CaseInsensitive);
 
-    search_ = new QLineEdit(this);
+    search_ = new SearchField(this);
     search_->setPlaceholderText(tr("Search"));
-    search_->setClearButtonEnabled(true);
     search_->addAction(icon("search"), QLineEdit::LeadingPosition);
     search_->setAccessibleName(tr("Search objects"));
     connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
@@ -90,6 +90,8 @@ void ObjectList::buildTree() {
         tree_->header()->setSectionResizeMode(column, QHeaderView::Fixed);
         tree_->setColumnWidth(column, fontMetrics().height() + 8);
     }
+    // Before rows are laid out: the height that the style sheet gives them is not known earlier.
+    tree_->ensurePolished();
     tree_->expandAll();
     connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
         if (index.column() != ObjectModel::NameColumn) model_->toggle(filter_->mapToSource(index));

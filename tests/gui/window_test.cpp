@@ -6,6 +6,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QTreeView>
 #include <fstream>
 
 #include "gui/app/actions.h"
@@ -15,6 +16,7 @@
 #include "gui/app/renderer.h"
 #include "gui/app/text.h"
 #include "gui/panels/environment_picker.h"
+#include "gui/panels/object_list.h"
 #include "gui/panels/property_panel.h"
 #include "gui/widgets/dial.h"
 #include "gui/widgets/message_bar.h"
@@ -230,6 +232,16 @@ class WindowTest : public QObject {
         QVERIFY(!dock->widget());
         dock->raise();
         QTRY_VERIFY(dock->widget() && dock->widget()->isVisible());
+    }
+    void rowsKeepTheirHeightWhenASceneComes() {
+        MainWindow window(Memory::None);
+        window.show();
+        const auto* tree = window.objectList().findChild<QTreeView*>();
+        const auto height = [tree] { return tree->visualRect(tree->model()->index(0, 0)).height(); };
+        const int before = height();
+        window.document().replace(smallScene(), {});
+        QCoreApplication::processEvents();
+        QCOMPARE(height(), before);
     }
     void brokenFileKeepsTheSceneAndSaysWhy_data() {
         QTest::addColumn<QByteArray>("text");
