@@ -95,7 +95,9 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
     exports_ = new ExportQueue(*messages_, this);
     previews_ = new PreviewRenderer(this);
     previews_->hold();
-    connect(renderer_, &Renderer::frameReady, previews_, &PreviewRenderer::release);
+    // Queued: when the first picture has been handed to the screen.
+    constexpr auto kOnceLater = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
+    connect(view_, &RenderView::pictureShown, previews_, &PreviewRenderer::release, kOnceLater);
     materialPreviews_ = new MaterialPreviews(document_, *previews_, this);
     thumbnails_ = new SceneThumbnails(*previews_, memory_, this);
     new MaterialDrop(*view_);

@@ -10,9 +10,12 @@ MaterialPreviews::MaterialPreviews(const Document& document, PreviewRenderer& re
     connect(&document, &Document::changed, this, &MaterialPreviews::onDocumentChanged);
     connect(&document, &Document::replaced, this, [this] { shown_.clear(); });
     connect(&renderer, &PreviewRenderer::ready, this, &MaterialPreviews::onReady);
+    connect(&renderer, &PreviewRenderer::released, this, &MaterialPreviews::onReleased);
 }
 
 void MaterialPreviews::ask(Shown& shown, const Scene& scene, MaterialId material, const QString& slot) {
+    // Not even the key: writing down a scene for each material takes its time.
+    if (renderer_.isHeld()) return;
     Scene preview = materialPreview(scene, material, {kSide, kSide});
     const QString key = previewKey(preview);
     if (key == shown.key) return;
@@ -64,6 +67,12 @@ void MaterialPreviews::onReady(const QString& key, const QImage& picture) {
         shown.picture = picture;
         emit slotChanged(slot);
     }
+}
+
+// Whoever shows a picture asks for it again.
+void MaterialPreviews::onReleased() {
+    for (const auto& [material, shown] : shown_) emit changed(material);
+    for (const auto& [slot, shown] : slots_) emit slotChanged(slot);
 }
 
 }  // namespace glint

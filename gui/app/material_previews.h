@@ -41,6 +41,7 @@ class MaterialPreviews : public QObject {
     };
     void onDocumentChanged(const Scene& before);
     void onReady(const QString& key, const QImage& picture);
+    void onReleased();
     void ask(Shown& shown, const Scene& scene, MaterialId material, const QString& slot);
 
     const Document& document_;

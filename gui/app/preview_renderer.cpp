@@ -63,7 +63,9 @@ void PreviewRenderer::request(PreviewJob job) {
 }
 
 void PreviewRenderer::release() {
-    if (std::exchange(held_, false) && !running_) startNext();
+    if (!std::exchange(held_, false)) return;
+    if (!running_) startNext();
+    emit released();
 }
 
 void PreviewRenderer::startNext() {

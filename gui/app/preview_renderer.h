@@ -40,9 +40,12 @@ class PreviewRenderer : public QObject {
     [[nodiscard]] bool isIdle() const { return !running_; }
     /// Nothing is begun until release(): at the start of the program the picture of the scene comes first.
     void hold() { held_ = true; }
+    [[nodiscard]] bool isHeld() const { return held_; }
     void release();
 
   signals:
+    /// From now on requests are served.
+    void released();
     /// A coarse picture first, then the finished one.
     void ready(const QString& key, const QImage& picture);
 

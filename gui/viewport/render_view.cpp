@@ -314,6 +314,7 @@ void RenderView::paintEvent(QPaintEvent*) {
     if (const SessionFrame* frame = context_.renderer.frame(); frame && frame->channel != Channel::Beauty) paintLegend(painter, *frame, rect());
     if (gesture_) gesture_->paint(painter);
     paintHints(painter);
+    if (shown) emit pictureShown();
 }
 
 void RenderView::paintPicture(QPainter& painter) const {

@@ -54,6 +54,8 @@ class RenderView : public QWidget, public PictureSource {
     void inspectRequested(const QPoint& pixel);
     /// One line about the running gesture; empty when it ends.
     void readoutChanged(const QString& text);
+    /// A frame has been painted.
+    void pictureShown();
     /// The pointer is over this pixel of the picture; (-1, -1) when it has left.
     void pixelHovered(const QPoint& pixel);
 

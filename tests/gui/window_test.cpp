@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTreeView>
 #include <fstream>
@@ -13,6 +14,7 @@
 #include "gui/app/command_search.h"
 #include "gui/app/export_queue.h"
 #include "gui/app/file_controller.h"
+#include "gui/app/material_previews.h"
 #include "gui/app/renderer.h"
 #include "gui/app/text.h"
 #include "gui/panels/environment_picker.h"
@@ -242,6 +244,16 @@ class WindowTest : public QObject {
         window.document().replace(smallScene(), {});
         QCoreApplication::processEvents();
         QCOMPARE(height(), before);
+    }
+    void previewsWaitForTheFirstPicture() {
+        MainWindow window(Memory::None);
+        MaterialPreviews& previews = window.materialPreviews();
+        const QSignalSpy changes(&previews, &MaterialPreviews::changed);
+        const MaterialId material = window.document().scene().materials.ids().front();
+        QVERIFY(previews.of(material).isNull());
+        window.show();
+        QTRY_VERIFY_WITH_TIMEOUT(changes.count() > 0, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!previews.of(material).isNull(), kPatienceMs);
     }
     void brokenFileKeepsTheSceneAndSaysWhy_data() {
         QTest::addColumn<QByteArray>("text");
