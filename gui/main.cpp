@@ -4,10 +4,10 @@
 #include <QScreen>
 #include <QTimer>
 #include <cstdio>
+#include <optional>
 
-#include "gui/app/file_controller.h"
+#include "gui/app/file_reading.h"
 #include "gui/app/main_window.h"
-#include "gui/app/renderer.h"
 #include "gui/app/text.h"
 #include "gui/viewport/render_view.h"
 #include "tracer/base/heap.h"
@@ -20,25 +20,17 @@ void takeScreenshotLater(QWidget* window, const QString& file, int milliseconds)
 }
 
 /// Says on standard output that the first picture of the scene has been drawn, and quits: for measuring the start.
-class FirstPicture : public QObject {
-  public:
-    explicit FirstPicture(glint::MainWindow& window) : QObject(&window), window_(window) { window.view().installEventFilter(this); }
-
-    bool eventFilter(QObject*, QEvent* event) override {
-        // Queued: when it is said, the picture has been handed to the screen.
-        if (event->type() == QEvent::Paint && window_.renderer().frame()) QMetaObject::invokeMethod(this, &FirstPicture::say, Qt::QueuedConnection);
-        return false;
-    }
-
-  private:
-    void say() {
-        std::puts("first picture");
-        std::fflush(stdout);
-        QCoreApplication::quit();
-    }
-
-    glint::MainWindow& window_;
-};
+void sayFirstPicture(glint::MainWindow& window) {
+    // Queued: when it is said, the picture has been handed to the screen.
+    QObject::connect(
+        &window.view(), &glint::RenderView::pictureShown, &window,
+        [] {
+            std::puts("first picture");
+            std::fflush(stdout);
+            QCoreApplication::quit();
+        },
+        Qt::QueuedConnection);
+}
 
 /// Theme and language of a screenshot; nothing of it is kept.
 void dress(glint::MainWindow& window, bool light, const QString& language) {
@@ -82,19 +74,22 @@ int main(int argc, char** argv) {
     }
     parser.process(app);
 
+    std::optional<glint::FileReading> scene;
+    if (const QStringList files = parser.positionalArguments(); !files.isEmpty()) scene = glint::readInBackground(glint::toPath(files.first()));
     const bool visit = parser.isSet(screenshot);
-    glint::MainWindow window(visit ? glint::Memory::None : glint::Memory::Settings);
+    glint::MainWindow window(visit ? glint::Memory::None : glint::Memory::Settings, scene);
     if (visit) dress(window, parser.isSet(light), parser.value(language));
     const QStringList wanted = parser.value(size).split('x');
     if (wanted.size() == 2) window.resize(wanted[0].toInt(), wanted[1].toInt());
     else if (visit) window.resize(1440, 900);
     else if (window.width() < 900) fitToScreen(window);
-    if (!parser.positionalArguments().isEmpty()) window.files().load(glint::toPath(parser.positionalArguments().first()));
-    else if (window.preferences().values().startPage) window.showStartPage();
+    if (!scene && window.preferences().values().startPage) window.showStartPage();
     window.show();
-    const QString selected = parser.value(select);
-    if (!selected.isEmpty()) QObject::connect(&window.document(), &glint::Document::replaced, &window, [&window, selected] { selectByName(window, selected); });
-    if (parser.isSet(firstPicture)) new FirstPicture(window);
+    if (const QString selected = parser.value(select); !selected.isEmpty()) {
+        selectByName(window, selected);
+        QObject::connect(&window.document(), &glint::Document::replaced, &window, [&window, selected] { selectByName(window, selected); });
+    }
+    if (parser.isSet(firstPicture)) sayFirstPicture(window);
     if (visit) takeScreenshotLater(&window, parser.value(screenshot), parser.value(after).toInt());
     return QApplication::exec();
 }

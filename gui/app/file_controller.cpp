@@ -17,19 +17,19 @@
 
 namespace glint {
 
+/// A file as far as it could be read.
+struct LoadedFile {
+    Result<Scene> scene;
+    std::optional<PartialScene> part;  ///< of a file with bad entries
+};
+
 namespace {
 
 constexpr qsizetype kMostRecent = 12;
 const QString kRecentKey = QStringLiteral("recentFiles");
 
-/// A file as far as it could be read.
-struct Loaded {
-    Result<Scene> scene;
-    std::optional<PartialScene> part;  ///< of a file with bad entries
-};
-
-std::shared_ptr<Loaded> readFile(const std::filesystem::path& file) {
-    auto loaded = std::make_shared<Loaded>(Loaded{loadScene(file), std::nullopt});
+std::shared_ptr<LoadedFile> readFile(const std::filesystem::path& file) {
+    auto loaded = std::make_shared<LoadedFile>(LoadedFile{loadScene(file), std::nullopt});
     if (loaded->scene.ok()) return loaded;
     if (auto part = loadSceneInPart(file); part.ok()) loaded->part = std::move(part).value();
     return loaded;
@@ -44,6 +44,10 @@ QString listOf(const std::vector<Error>& errors) {
 }
 
 }  // namespace
+
+FileReading readInBackground(const std::filesystem::path& file) {
+    return {file, QtConcurrent::run([file] { return readFile(file); })};
+}
 
 Scene starterScene() {
     Scene scene;
@@ -72,6 +76,7 @@ Scene starterScene() {
 
 FileController::FileController(Document& document, MessageBar& messages, Memory memory, QWidget* window)
     : QObject(window), document_(document), messages_(messages), memory_(memory), window_(window) {
+    settingsWriter_.setMaxThreadCount(1);
     if (memory_ == Memory::Settings) recent_ = QSettings().value(kRecentKey).toStringList();
 }
 
@@ -80,7 +85,8 @@ void FileController::remember(const std::filesystem::path& file) {
     recent_.removeAll(path);
     recent_.prepend(path);
     recent_ = recent_.mid(0, kMostRecent);
-    if (memory_ == Memory::Settings) QSettings().setValue(kRecentKey, recent_);
+    // On a thread: written settings wait for the disk.
+    if (memory_ == Memory::Settings) settingsWriter_.start([recent = recent_] { QSettings().setValue(kRecentKey, recent); });
     emit recentChanged();
 }
 
@@ -109,9 +115,9 @@ void FileController::open(const std::filesystem::path& file) {
     whenSafe([this, file] { load(file); });
 }
 
-void FileController::load(const std::filesystem::path& file) {
+void FileController::load(FileReading reading) {
     const int number = ++loads_;
-    QtConcurrent::run([file] { return readFile(file); }).then(this, [this, file, number](const std::shared_ptr<Loaded>& loaded) {
+    reading.content.then(this, [this, file = reading.file, number](const std::shared_ptr<LoadedFile>& loaded) {
         if (number != loads_) return;
         if (loaded->scene.ok()) {
             messages_.dismiss();

@@ -4,9 +4,11 @@
 
 #include <QObject>
 #include <QStringList>
+#include <QThreadPool>
 #include <filesystem>
 #include <functional>
 
+#include "gui/app/file_reading.h"
 #include "gui/app/memory.h"
 
 namespace glint {
@@ -26,8 +28,9 @@ class FileController : public QObject {
     void browse();
     /// Asks about unsaved changes, then opens.
     void open(const std::filesystem::path& file);
-    /// Opens without asking; the scene there is replaced when the file has been read.
-    void load(const std::filesystem::path& file);
+    /// Opens without asking; the scene there is replaced when the file has been read, at once if it has been.
+    void load(FileReading reading);
+    void load(const std::filesystem::path& file) { load(readInBackground(file)); }
     void save() { saveThen({}); }
     void saveAs() { saveAsThen({}); }
     /// Saves there now; false, with a message, if that fails.
@@ -51,6 +54,7 @@ class FileController : public QObject {
     Memory memory_;
     QWidget* window_;
     QStringList recent_;
+    QThreadPool settingsWriter_;  ///< one thread: the newest list is written last
     int loads_ = 0;  ///< a newer load makes an older one void
 };
 

@@ -11,8 +11,10 @@
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QThread>
 #include <QUndoView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/app/actions.h"
 #include "gui/app/autosave.h"
@@ -63,6 +65,8 @@ namespace {
 /// How long a passing notice stands in the status line.
 constexpr int kNoticeMs = 4000;
 
+const QString kPictureSize = QStringLiteral("pictureSize");
+
 QWidget* makeHistory(Document& document, QWidget* parent) {
     auto* history = new QUndoView(&document.undoStack(), parent);
     history->setEmptyLabel(MainWindow::tr("As opened"));
@@ -81,7 +85,7 @@ QWidget* makeLog(MessageLog& log, QWidget* parent) {
 
 }  // namespace
 
-MainWindow::MainWindow(Memory memory, QWidget* parent)
+MainWindow::MainWindow(Memory memory, std::optional<FileReading> scene, QWidget* parent)
     : QMainWindow(parent), memory_(memory), preferences_(memory), selection_(document_) {
     setAcceptDrops(true);
     setDockNestingEnabled(true);
@@ -97,7 +101,7 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
     previews_->hold();
     // Queued: when the first picture has been handed to the screen.
     constexpr auto kOnceLater = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
-    connect(view_, &RenderView::pictureShown, previews_, &PreviewRenderer::release, kOnceLater);
+    connect(view_, &RenderView::pictureShown, this, &MainWindow::endStart, kOnceLater);
     materialPreviews_ = new MaterialPreviews(document_, *previews_, this);
     thumbnails_ = new SceneThumbnails(*previews_, memory_, this);
     new MaterialDrop(*view_);
@@ -111,6 +115,7 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
     applyPreferences(preferences_.values());
     // The news of the language: too early to change anything, and later it would build the interface a second time.
     QCoreApplication::sendPostedEvents(this, QEvent::LanguageChange);
+    if (scene) beginWith(*std::move(scene));
     buildInterface();
     if (memory_ == Memory::None) return;
     QSettings settings;
@@ -118,6 +123,19 @@ MainWindow::MainWindow(Memory memory, QWidget* parent)
     restoreState(settings.value("layout").toByteArray());
     autosave_->begin(toPath(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)) / "recovery");
     offerRecovery();
+}
+
+void MainWindow::beginWith(FileReading scene) {
+    // Traced at the size of last time while the window is built, with one processor left for that.
+    if (memory_ == Memory::Settings) renderer_->setSize(QSettings().value(kPictureSize).toSize());
+    const int threads = preferences_.values().renderThreads;
+    renderer_->setThreads(std::max(1, (threads > 0 ? threads : QThread::idealThreadCount()) - 1));
+    files_->load(std::move(scene));
+}
+
+void MainWindow::endStart() {
+    previews_->release();
+    renderer_->setThreads(preferences_.values().renderThreads);
 }
 
 void MainWindow::buildInterface() {
@@ -410,6 +428,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         QSettings settings;
         settings.setValue("geometry", saveGeometry());
         settings.setValue("layout", narrow_->wideState());
+        settings.setValue(kPictureSize, renderer_->size());
     }
     event->accept();
 }

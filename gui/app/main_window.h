@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "gui/app/document.h"
+#include "gui/app/file_reading.h"
 #include "gui/app/memory.h"
 #include "gui/app/preferences.h"
 #include "gui/app/selection.h"
@@ -45,7 +47,8 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
   public:
-    explicit MainWindow(Memory memory, QWidget* parent = nullptr);
+    /// Opens `scene` once it has been read.
+    explicit MainWindow(Memory memory, std::optional<FileReading> scene = {}, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     [[nodiscard]] Document& document() { return document_; }
@@ -82,6 +85,9 @@ class MainWindow : public QMainWindow {
     void dropEvent(QDropEvent* event) override;
 
   private:
+    void beginWith(FileReading scene);
+    /// The first picture is on the screen: what had to wait for it may begin.
+    void endStart();
     void buildCenter();
     /// Makes everything with words on it but the picture: actions, docks, menus, bars. All of it goes, and is made anew,
     /// when the language changes: connections from what stays must therefore have `actions_` as their context.

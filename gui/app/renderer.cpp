@@ -38,8 +38,10 @@ Renderer::Renderer(const Document& document, QObject* parent) : QObject(parent),
 Renderer::~Renderer() { session_.reset(); }
 
 void Renderer::setSize(QSize size) {
-    view_.width = std::max(0, size.width());
-    view_.height = std::max(0, size.height());
+    size = size.expandedTo({0, 0});
+    if (size == this->size()) return;
+    view_.width = size.width();
+    view_.height = size.height();
     publishScene();
 }
 

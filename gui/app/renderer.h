@@ -34,6 +34,7 @@ class Renderer : public QObject {
 
     /// Size of the picture in device pixels.
     void setSize(QSize size);
+    [[nodiscard]] QSize size() const { return {view_.width, view_.height}; }
     void setPaused(bool paused);
     /// Renders on at most so many threads from now on, 0 for one a processor. Nothing starts again.
     void setThreads(int threads);

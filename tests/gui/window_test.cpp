@@ -227,6 +227,16 @@ class WindowTest : public QObject {
         QCOMPARE(window->windowTitle(), QStringLiteral("saved.glint.json — Glint"));
         QCOMPARE(window->document().scene().objects.size(), scene.objects.size());
     }
+    void windowBeginsWithTheFileItIsGiven() {
+        const Scene scene = lit(smallScene());
+        QVERIFY(saveScene(scene, file("first.json")).ok());
+        FileReading reading = readInBackground(file("first.json"));
+        reading.content.waitForFinished();
+        MainWindow window(Memory::None, reading);
+        QVERIFY(window.document().scene() == scene);
+        window.show();
+        QTRY_COMPARE(window.windowTitle(), QStringLiteral("first.json — Glint"));
+    }
     void dockIsFilledWhenItIsSeen() {
         const auto window = openWindow();
         QCoreApplication::processEvents();
