@@ -268,7 +268,7 @@ class Builder {
             collect(node.right, most - share, children);
         }
         const auto index = static_cast<std::uint32_t>(out_.nodes.size());
-        std::fill_n(out_.nodes.emplace_back().child, kBlockSize, kNoChild);
+        out_.nodes.emplace_back().children = (1u << children.size()) - 1;
         for (std::size_t i = 0; i < children.size(); ++i) {
             const std::uint32_t child = addChild(children[i]);
             out_.nodes[index].child[i] = child;
@@ -280,33 +280,50 @@ class Builder {
         const BinaryNode& node = tree_[binary];
         if (!node.isLeaf()) return addNode(binary);
         out_.leaves.push_back({node.begin, node.count});
-        return kLeafBit | (node.balls ? kBallBit : 0u) |
-               static_cast<std::uint32_t>(out_.leaves.size() - 1);
+        std::uint32_t& blocks = node.balls ? ballBlocks_ : boxBlocks_;
+        GLINT_CHECK(blocks < kMostBlocks);
+        return leafChild(node.balls, blocks++, node.count);
     }
 
     std::span<BoundedShape> shapes_;
     BinaryTree tree_;
     Hierarchy out_;
+    std::uint32_t ballBlocks_ = 0, boxBlocks_ = 0;
 };
 
-/// A face of a child's box, moved outwards by the filter's margin and over its own rounding; those
-/// of an empty one stay infinite.
-float face(double x, double outwards) {
-    if (std::isinf(x)) return static_cast<float>(x);
-    return static_cast<float>(x + outwards * std::abs(x) * (kFaceMargin + 0x1p-23));
+/// The largest float up to x.
+float roundDown(double x) {
+    const auto near = static_cast<float>(x);
+    return static_cast<double>(near) > x ? std::nextafter(near, -std::numeric_limits<float>::infinity())
+                                         : near;
 }
 
+/// The node's planes: whole steps, outwards by the filter's margins (shape_blocks.h).
 void setBoxes(Node8& node, Coordinates coordinates, const Bounds& all, std::span<const Bounds> children) {
-    const DVec3 middle =
-        coordinates == Coordinates::Single ? DVec3(0.0) : 0.5 * (all.lower + all.upper);
+    constexpr double kFarthestMargin = 8 * 0x1p-24, kLeastStep = 1e-30;
+    const double sizeMargin = double{kLeastDirection} * coordinateSum(all.upper - all.lower);
+    const bool single = coordinates == Coordinates::Single;
     for (int axis = 0; axis < 3; ++axis) {
-        const auto hi = static_cast<float>(middle[axis]);
-        const auto lo = static_cast<float>(middle[axis] - static_cast<double>(hi));
-        node.centerHi[axis] = hi, node.centerLo[axis] = lo;
-        const double center = static_cast<double>(hi) + static_cast<double>(lo);
-        for (std::size_t i = 0; i < kBlockSize; ++i) {
-            node.planes[axis][i] = face(children[i].lower[axis] - center, -1);
-            node.planes[axis + 3][i] = face(children[i].upper[axis] - center, 1);
+        const double lowest = all.lower[axis], highest = all.upper[axis],
+                     from = single ? 0.0 : lowest,
+                     farthest = std::max(std::abs(lowest - from), std::abs(highest - from)),
+                     margin = kFarthestMargin * farthest + sizeMargin;
+        const auto face = [&](double x, double outwards) {
+            return x + outwards * (kFaceMargin * std::abs(x - from) + margin);
+        };
+        const float hi = roundDown(face(lowest, -1)),
+                    lo = single ? 0.0f : roundDown(face(lowest, -1) - static_cast<double>(hi));
+        const double corner = static_cast<double>(hi) + static_cast<double>(lo);
+        const double least = (face(highest, 1) - corner) / kMostSteps;
+        // Rounded up, so that the quotients below stay within eight bits.
+        const float step = -roundDown(-std::max(least * (1 + 0x1p-50), kLeastStep));
+        node.cornerHi[axis] = hi, node.cornerLo[axis] = lo, node.step[axis] = step;
+        const auto steps = [&](double x) { return (x - corner) / static_cast<double>(step); };
+        for (std::size_t i = 0; i < kBlockSize && node.has(i); ++i) {
+            node.planes[axis][i] =
+                static_cast<std::uint8_t>(steps(face(children[i].lower[axis], -1)));
+            node.planes[axis + 3][i] =
+                static_cast<std::uint8_t>(std::ceil(steps(face(children[i].upper[axis], 1))));
         }
     }
 }
@@ -318,15 +335,25 @@ Hierarchy buildHierarchy(std::vector<BoundedShape>& shapes, int threads) {
     return Builder(shapes).build(threads);
 }
 
-double refit(std::vector<Node8>& nodes, Coordinates coordinates,
+Bounds childBounds(const Node8& node, std::size_t child) {
+    Bounds out;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double corner = double{node.cornerHi[axis]} + double{node.cornerLo[axis]},
+                     step = node.step[axis];
+        out.lower[axis] = corner + step * node.planes[axis][child];
+        out.upper[axis] = corner + step * node.planes[axis + 3][child];
+    }
+    return out;
+}
+
+double refit(LargeVector<Node8>& nodes, Coordinates coordinates,
              const std::function<Bounds(std::uint32_t)>& leafBounds) {
     std::vector<Bounds> bounds(nodes.size());
     double area = 0;
     for (std::size_t n = nodes.size(); n-- > 0;) {
         std::array<Bounds, kBlockSize> children;
-        for (std::size_t i = 0; i < kBlockSize; ++i) {
+        for (std::size_t i = 0; i < kBlockSize && nodes[n].has(i); ++i) {
             const std::uint32_t child = nodes[n].child[i];
-            if (child == kNoChild) continue;
             children[i] = child & kLeafBit ? leafBounds(child) : bounds[child];
             bounds[n].add(children[i]);
             area += children[i].area();

@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+#include "tracer/base/large_vector.h"
 #include "tracer/compile/shape_blocks.h"
 #include "tracer/math/types.h"
 
@@ -44,9 +45,9 @@ struct Leaf {
 };
 
 struct Hierarchy {
-    /// Without boxes, which refit() makes. Parents come before their children; those that are
-    /// leaves name `leaves` by kLeafBit | kBallBit? | index.
-    std::vector<Node8> nodes;
+    /// Without boxes, which refit() makes. Parents come before their children. Those that are leaves
+    /// name blocks, which are numbered by kind in the order of `leaves`.
+    LargeVector<Node8> nodes;
     std::vector<Leaf> leaves;  ///< in the order of their shapes
 };
 
@@ -54,9 +55,12 @@ struct Hierarchy {
 /// `threads` threads; the result is the same for any number.
 [[nodiscard]] Hierarchy buildHierarchy(std::vector<BoundedShape>& shapes, int threads);
 
+/// The box of a node's child as it is kept, somewhat larger than what it was made from.
+[[nodiscard]] Bounds childBounds(const Node8& node, std::size_t child);
+
 /// Makes all boxes anew from those of the leaves; `leafBounds` is given a child that is one. Answers
 /// with the area of all boxes, which rays' visits are in proportion to [m^2].
-[[nodiscard]] double refit(std::vector<Node8>& nodes, Coordinates coordinates,
+[[nodiscard]] double refit(LargeVector<Node8>& nodes, Coordinates coordinates,
                            const std::function<Bounds(std::uint32_t child)>& leafBounds);
 
 }  // namespace glint

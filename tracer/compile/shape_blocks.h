@@ -19,10 +19,13 @@
 //   the shape's radius, so the computed slab coordinate is off by at most 15u|f| + 9uR + slack,
 //   divisions included when they are read as errors of the slab's faces. The test takes 24u of |f|
 //   (1-norm) and R (within `half` already).
-// - Nodes: as boxes, 16u of the origin's distance from the node's centre, and 20u of each face
-// (within the face already). Comparisons are written so that NaN, from overflow or 0 * infinity,
-// leaves a candidate standing. Underflow to zero, with or without FTZ, loses at most 1e-38, which
-// the slack holds.
+// - Nodes, axis by axis: 16u of the origin's distance from the node's corner (Single: from zero), 20u
+//   of each face's and 8u of the farthest face's, which nothing in between exceeds (both within the
+//   face already). A coordinate of the direction below kLeastDirection counts as that much, so that
+//   no product overflows. Up to a hit, at most |f| + the node's size away, that shifts the ray by less
+//   than the slack and a margin of kLeastDirection times the size (within the face, too).
+// Comparisons are written so that NaN, from overflow or 0 * infinity, leaves a candidate standing.
+// Underflow to zero, with or without FTZ, loses at most 1e-38, which the slack holds.
 #pragma once
 
 #include <cstddef>
@@ -33,6 +36,7 @@ namespace glint {
 inline constexpr float kBallMargin = 48 * 0x1p-24f, kBoxMargin = 24 * 0x1p-24f,
                        kNodeMargin = 16 * 0x1p-24f;
 inline constexpr double kFaceMargin = 20 * 0x1p-24;
+inline constexpr float kLeastDirection = 0x1p-64f;
 /// How far the squared length of a direction may be from 1; that of directions that were made in
 /// floats is.
 inline constexpr double kUnitTolerance = 0x1p-20;
@@ -62,7 +66,7 @@ struct Centers<Coordinates::Pairs> {
 
 /// Eight balls: columns of floats. Lanes past the block's shapes may hold anything.
 template <Coordinates kCoordinates>
-struct alignas(32) BallBlock {
+struct alignas(64) BallBlock {
     Centers<kCoordinates> center;
     float radius[kBlockSize];  ///< r (1 + kBallMargin)
 };
@@ -76,18 +80,32 @@ struct alignas(32) BoxBlock {
     float half[3][kBlockSize];    ///< half the slabs' widths [m] + kBoxMargin R
 };
 
-/// A node of the hierarchy: the boxes of up to eight children, with Coordinates::Pairs relative to
-/// the node's centre.
+/// A node of the hierarchy in two cache lines: the boxes of up to eight children, with eight bits a
+/// plane (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide
+/// BVHs", HPG 2017, 3.2).
 struct alignas(64) Node8 {
-    float planes[6][kBlockSize];  ///< lower x, y, z, upper x, y, z; empty children: +infinity,
-                                  ///< -infinity
-    float centerHi[3], centerLo[3];   ///< 0 with Coordinates::Single
-    std::uint32_t child[kBlockSize];  ///< index of a node, of a block with the bits below, kNoChild
+    std::uint8_t planes[6][kBlockSize];  ///< lower x, y, z, upper x, y, z, in steps from the corner
+    float cornerHi[3], cornerLo[3];      ///< lower ends of all boxes; lo: 0 with Coordinates::Single
+    float step[3];                       ///< [m]
+    std::uint32_t children;              ///< a bit each, the lowest
+    std::uint32_t child[kBlockSize];     ///< a node's index or leafChild()
+    [[nodiscard]] bool has(std::size_t i) const { return children >> i & 1; }
 };
+static_assert(sizeof(Node8) == 128);
+inline constexpr double kMostSteps = 255;
 inline constexpr std::uint32_t kLeafBit = 1u << 31;  ///< the child is a block
 inline constexpr std::uint32_t kBallBit = 1u << 30;  ///< of balls, else of boxes
-inline constexpr std::uint32_t kChildMask = kBallBit - 1;
-inline constexpr std::uint32_t kNoChild = ~0u;
+/// A block has an index below this.
+inline constexpr std::uint32_t kMostBlocks = 1u << 27;
+
+/// A leaf as a node's child: a block with `count` shapes, 1 to kBlockSize.
+[[nodiscard]] constexpr std::uint32_t leafChild(bool balls, std::uint32_t block, std::uint32_t count) {
+    return kLeafBit | (balls ? kBallBit : 0u) | ((count - 1) * kMostBlocks) | block;
+}
+[[nodiscard]] constexpr std::uint32_t blockOf(std::uint32_t leaf) { return leaf & (kMostBlocks - 1); }
+[[nodiscard]] constexpr std::uint32_t shapesOf(std::uint32_t leaf) {
+    return (leaf / kMostBlocks) % kBlockSize + 1;
+}
 
 /// Paths from the root may not be longer; at most 7 siblings a level wait on the stack.
 inline constexpr int kMaxTreeDepth = 56;
@@ -106,14 +124,16 @@ struct Candidate {
     std::uint32_t slot;
 };
 
-/// The slots of block i's lanes run from first[i] to first[i + 1].
+/// Slots are kBlockSize times the block's index, plus the lane; those of boxes count from boxSlots.
 template <Coordinates kCoordinates>
 struct BlockTree {
     const Node8* nodes;
     const BallBlock<kCoordinates>* balls;
     const BoxBlock<kCoordinates>* boxes;
-    const std::uint32_t *ballFirst, *boxFirst;
+    std::uint32_t boxSlots;
+    const void* ballShapes;  ///< what decides the balls of block after block, in kBallShapeBytes each
 };
+inline constexpr std::size_t kBallShapeBytes = 40 * kBlockSize;
 
 /// What a walk visited.
 struct WalkCounts {

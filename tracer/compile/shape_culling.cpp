@@ -3,6 +3,7 @@
 // 0.59 (16), 1.3 (64) and 2.3 (128) of the time of such single rays (glint-bench rays).
 #include <cstring>
 
+#include "tracer/compile/bvh8.h"
 #include "tracer/compile/shape_lists.h"
 
 namespace glint {
@@ -20,7 +21,7 @@ void copyLane(Block& to, std::size_t toLane, const Block& from, std::size_t from
 }
 
 template <class Block>
-void addLane(std::vector<Block>& blocks, std::vector<std::uint32_t>& slots, const Block& from,
+void addLane(LargeVector<Block>& blocks, std::vector<std::uint32_t>& slots, const Block& from,
              std::size_t lane, std::uint32_t slot) {
     if (slots.size() % kBlockSize == 0) blocks.emplace_back();
     copyLane(blocks.back(), slots.size() % kBlockSize, from, lane);
@@ -50,7 +51,7 @@ bool ShapeLists::cullBlocks(const RayBundle& bundle, FewShapes& few) const {
     };
     const auto addBox = [&](const BoxBlock<kCoordinates>& block, std::size_t lane,
                             std::uint32_t slot) {
-        const Entry& entry = boxes_[slot - ballCount_];
+        const Entry& entry = boxes_[slot - ballSlots_];
         const DMat3 axes = glm::inverse(entry.localFromWorld);
         const DVec3 half = kExtentMargin * localHalf(entry.shape);
         const auto extent = [&](const DVec3& normal) {
@@ -60,39 +61,31 @@ bool ShapeLists::cullBlocks(const RayBundle& bundle, FewShapes& few) const {
     };
 
     if (nodes_.empty()) {
-        for (std::uint32_t i = 0; i < ballCount_; ++i)
+        for (std::uint32_t i = 0; i < ballSlots_; ++i)
             addBall(from.balls[i / kBlockSize], i % kBlockSize, i);
-        for (std::uint32_t i = 0; i < boxCount_; ++i)
-            addBox(from.boxes[i / kBlockSize], i % kBlockSize, ballCount_ + i);
+        for (std::uint32_t i = 0; i < boxSlots_; ++i)
+            addBox(from.boxes[i / kBlockSize], i % kBlockSize, ballSlots_ + i);
         return few.balls.size() + few.boxes.size() <= kMostFew;
     }
     std::uint32_t waiting[7 * kMaxTreeDepth + 8] = {0};
     for (std::size_t count = 1; count > 0;) {
         const Node8& node = nodes_[waiting[--count]];
-        for (std::size_t i = 0; i < kBlockSize; ++i) {
-            DVec3 center, half;
-            for (int axis = 0; axis < 3; ++axis) {
-                const double lower = node.planes[axis][i], upper = node.planes[axis + 3][i];
-                center[axis] = double{node.centerHi[axis]} + double{node.centerLo[axis]} +
-                               0.5 * (lower + upper);
-                half[axis] = 0.5 * (upper - lower);
-            }
-            // Places without a child are empty boxes.
-            if (half.x < 0) continue;
+        for (std::size_t i = 0; i < kBlockSize && node.has(i); ++i) {
+            const std::uint32_t child = node.child[i];
+            const Bounds box = childBounds(node, i);
+            const DVec3 half = 0.5 * (box.upper - box.lower);
             const auto extent = [&](const DVec3& normal) {
                 return kExtentMargin * glm::dot(glm::abs(normal), half);
             };
-            if (bundle.misses(center, extent)) continue;
-            const std::uint32_t child = node.child[i], index = child & kChildMask;
+            if (bundle.misses(0.5 * (box.lower + box.upper), extent)) continue;
             if (!(child & kLeafBit)) {
                 waiting[count++] = child;
-            } else if (child & kBallBit) {
-                for (std::uint32_t slot = ballFirst_[index]; slot < ballFirst_[index + 1]; ++slot)
-                    addBall(from.balls[index], slot - ballFirst_[index], slot);
-            } else {
-                for (std::uint32_t slot = boxFirst_[index]; slot < boxFirst_[index + 1]; ++slot)
-                    addBox(from.boxes[index], slot - boxFirst_[index], slot);
+                continue;
             }
+            const std::uint32_t block = blockOf(child), first = kBlockSize * block;
+            for (std::uint32_t lane = 0; lane < shapesOf(child); ++lane)
+                child & kBallBit ? addBall(from.balls[block], lane, first + lane)
+                                 : addBox(from.boxes[block], lane, ballSlots_ + first + lane);
         }
         if (few.balls.size() + few.boxes.size() > kMostFew) return false;
     }

@@ -129,13 +129,13 @@ struct ShapeLists::Any {
 template <class Use>
 auto ShapeLists::withShape(std::uint32_t index, const Use& use) const {
     const std::uint32_t slot = slotOf_[index];
-    if (slot < ballCount_) {
+    if (slot < ballSlots_) {
         const CanonicalSphere sphere;
         const DMat3 localFromWorld(balls_[slot].inverseRadius);
         return use(Placed<CanonicalSphere>{sphere, localFromWorld, balls_[slot].center, index});
     }
     const Entry& entry = slot != kNoShape
-                             ? boxes_[slot - ballCount_]
+                             ? boxes_[slot - ballSlots_]
                              : *std::find_if(always_.begin(), always_.end(),
                                              [&](const Entry& e) { return e.index == index; });
     return std::visit(
@@ -180,11 +180,11 @@ inline void ShapeLists::decideSlot(const Asking& asking, Question& question,
     const auto start = [](bool dielectric) {
         return dielectric ? Start::KnownOutside : Start::Elsewhere;
     };
-    if (slot < ballCount_) {
+    if (slot < ballSlots_) {
         asking.count(balls_[slot]);
         return question.decide(balls_[slot], asking.ray, start(balls_[slot].dielectric));
     }
-    const Entry& entry = boxes_[slot - ballCount_];
+    const Entry& entry = boxes_[slot - ballSlots_];
     asking.count(entry);
     question.decide(entry, asking.ray, start(entry.dielectric));
 }
@@ -208,6 +208,7 @@ template <class Question, class List>
 Question ShapeLists::decideEach(const Asking& asking, Question question, const List& list) {
     for (const auto& shape : list) {
         if (question.done()) break;
+        if (shape.index == kNoShape) continue;
         asking.count(shape);
         question.decide(shape, asking.ray, asking.start(shape));
     }
@@ -225,7 +226,7 @@ template <class Question>
             asking.count(shape);
             question.decide(shape, asking.ray, asking.start(shape));
         };
-        slot < ballCount_ ? decideShape(balls_[slot]) : decideShape(boxes_[slot - ballCount_]);
+        slot < ballSlots_ ? decideShape(balls_[slot]) : decideShape(boxes_[slot - ballSlots_]);
     };
     decide(asking.ray.fromShape);
     for (int i = 0; i < asking.media.size(); ++i) decide(asking.media[i]);
@@ -235,7 +236,7 @@ template <class Question>
 /// The shapes of a flat list of blocks; slotOf(lane) of the list's lanes.
 template <class Question, class Block, class Kernel, class SlotOf>
 [[gnu::always_inline]] inline Question ShapeLists::askFlat(const Asking& asking, Question question,
-                                                           const std::vector<Block>& blocks,
+                                                           const LargeVector<Block>& blocks,
                                                            std::size_t shapes, Kernel kernel,
                                                            FilterRay& ray, SlotOf slotOf) const {
     for (std::size_t i = 0; i < blocks.size() && !question.done(); i += kBlocksACall) {
@@ -279,8 +280,8 @@ template <Coordinates kCoordinates, class Question>
     ray.limit = roundUp(question.limit() * asking.length);
     const auto& blocks = *std::get_if<Blocks<kCoordinates>>(&blocks_);
     const WalkCounts counts =
-        blocks.kernels.walk({nodes_.data(), blocks.balls.data(), blocks.boxes.data(),
-                             ballFirst_.data(), boxFirst_.data()},
+        blocks.kernels.walk({nodes_.data(), blocks.balls.data(), blocks.boxes.data(), ballSlots_,
+                             balls_.data()},
                             ray, decideLeaf, &walk);
     asking.work[Work::NodeVisits] += counts.nodes;
     asking.work[Work::BallBlocks] += counts.ballBlocks;
@@ -303,9 +304,9 @@ template <Coordinates kCoordinates, class Question>
         return askFlat(asking, question, blocks.boxes, few->boxes.size(), blocks.kernels.boxes, ray,
                        [&](std::size_t lane) { return few->boxes[lane]; });
     }
-    question = askFlat(asking, question, blocks.balls, ballCount_, blocks.kernels.balls, ray, slot);
-    return askFlat(asking, question, blocks.boxes, boxCount_, blocks.kernels.boxes, ray,
-                   [&](std::size_t lane) { return ballCount_ + slot(lane); });
+    question = askFlat(asking, question, blocks.balls, ballSlots_, blocks.kernels.balls, ray, slot);
+    return askFlat(asking, question, blocks.boxes, boxSlots_, blocks.kernels.boxes, ray,
+                   [&](std::size_t lane) { return ballSlots_ + slot(lane); });
 }
 
 template <class Question>
@@ -353,7 +354,7 @@ ShapeLists::Memory ShapeLists::memory() const {
     const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
     const std::size_t blocks = std::visit(
         [&](const auto& b) { return bytes(b.balls) + bytes(b.boxes); }, blocks_);
-    return {bytes(nodes_) + bytes(slotOf_) + bytes(ballFirst_) + bytes(boxFirst_),
+    return {bytes(nodes_) + bytes(slotOf_),
             bytes(always_) + bytes(balls_) + bytes(boxes_) + blocks};
 }
 

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "tracer/base/large_vector.h"
 #include "tracer/base/work.h"
 #include "tracer/compile/coincidence.h"
 #include "tracer/compile/media.h"
@@ -89,8 +90,8 @@ inline constexpr std::size_t kUnfilteredShapes = 1;
 /// The filtered shapes of a list in blocks of eight, and what tests them.
 template <Coordinates kCoordinates>
 struct Blocks {
-    std::vector<BallBlock<kCoordinates>> balls;
-    std::vector<BoxBlock<kCoordinates>> boxes;
+    LargeVector<BallBlock<kCoordinates>> balls;
+    LargeVector<BoxBlock<kCoordinates>> boxes;
     BlockKernels<kCoordinates> kernels{};
 };
 
@@ -160,7 +161,7 @@ class ShapeLists {
     struct Ball {
         DVec3 center;
         double inverseRadius;
-        std::uint32_t index;
+        std::uint32_t index = kNoShape;
         bool dielectric;
     };
     /// Any other shape: what intersection needs of an instance.
@@ -168,7 +169,7 @@ class ShapeLists {
         DVec3 center;
         DMat3 localFromWorld;
         CanonicalShape shape;
-        std::uint32_t index;
+        std::uint32_t index = kNoShape;
         bool dielectric;
     };
     struct Asking;
@@ -211,7 +212,7 @@ class ShapeLists {
     template <class Question>
     Question decideKnown(Asking& asking, Question question) const;
     template <class Question, class Block, class Kernel, class SlotOf>
-    Question askFlat(const Asking& asking, Question question, const std::vector<Block>& blocks,
+    Question askFlat(const Asking& asking, Question question, const LargeVector<Block>& blocks,
                      std::size_t shapes, Kernel kernel, FilterRay& ray, SlotOf slotOf) const;
     template <Coordinates kCoordinates, class Question>
     Question askBlocks(const Asking& asking, Question question, FilterRay& ray,
@@ -224,18 +225,19 @@ class ShapeLists {
     template <class Question>
     void decideSlot(const Asking& asking, Question& question, std::uint32_t slot) const;
 
-    std::vector<Entry>
+    LargeVector<Entry>
         always_;  ///< decided for every ray: planes, and shapes too skewed for the filter
-    std::vector<Ball> balls_;   ///< in the order of their blocks; slots from 0
-    std::vector<Entry> boxes_;  ///< in the order of their blocks; slots follow those of the balls
+    // In the order of their blocks; without an index where a block is not full. Slots of boxes follow
+    // those of balls.
+    LargeVector<Ball> balls_;
+    LargeVector<Entry> boxes_;
     std::variant<Blocks<Coordinates::Single>, Blocks<Coordinates::Pairs>> blocks_;
-    std::vector<Node8> nodes_;  ///< empty: the list is flat
-    std::vector<std::uint32_t> ballFirst_, boxFirst_;  ///< under nodes: see BlockTree
-    std::vector<std::uint32_t> slotOf_;  ///< of each shape instance
+    LargeVector<Node8> nodes_;           ///< empty: the list is flat
+    LargeVector<std::uint32_t> slotOf_;  ///< of each shape instance
     double builtArea_ = 0;               ///< of the hierarchy's boxes when it was built [m^2]
     bool refitted_ = false;
     double reach_ = 0;                   ///< largest absolute coordinate of a filtered shape
-    std::uint32_t ballCount_ = 0, boxCount_ = 0;  ///< lengths of the two lists
+    std::uint32_t ballSlots_ = 0, boxSlots_ = 0;  ///< lengths of the two lists
     bool unfiltered_ = true;  ///< so few shapes that all are decided
 };
 

@@ -101,11 +101,12 @@ void setCenter(Centers<kCoordinates>& centers, std::size_t lane, const DVec3& ce
 
 ShapeLists::ShapeLists(const std::vector<ShapeInstance>& instances, const ShapeLists* previous) {
     sortByKind(instances);
-    ballCount_ = static_cast<std::uint32_t>(balls_.size());
-    boxCount_ = static_cast<std::uint32_t>(boxes_.size());
+    ballSlots_ = static_cast<std::uint32_t>(balls_.size());
+    boxSlots_ = static_cast<std::uint32_t>(boxes_.size());
     const std::size_t filterable = balls_.size() + boxes_.size();
     unfiltered_ = filterable <= kUnfilteredShapes;
     const auto build = [&]<Coordinates kCoordinates>() {
+        static_assert(sizeof(Ball) * kBlockSize == kBallShapeBytes);
         blocks_.emplace<Blocks<kCoordinates>>().kernels = blockKernels<kCoordinates>();
         if (filterable <= kFlatShapes) return buildFlat<kCoordinates>(instances);
         refitted_ = previous && adoptTree<kCoordinates>(instances, *previous);
@@ -180,28 +181,20 @@ void ShapeLists::buildTree(const std::vector<ShapeInstance>& instances) {
     Hierarchy tree =
         buildHierarchy(shapes, static_cast<int>(std::thread::hardware_concurrency()));
 
-    // Leaves are numbered in the order of their shapes; their blocks by kind.
+    const auto isBall = [&](const Leaf& leaf) { return (shapes[leaf.begin].index & kBallBit) != 0; };
+    const auto ballLeaves =
+        static_cast<std::uint32_t>(std::ranges::count_if(tree.leaves, isBall));
+    ballSlots_ = kBlockSize * ballLeaves;
+    boxSlots_ = kBlockSize * (static_cast<std::uint32_t>(tree.leaves.size()) - ballLeaves);
     slotOf_.assign(instances.size(), kNoShape);
-    ballFirst_.clear(), boxFirst_.clear();
-    std::vector<std::uint32_t> blockOf;
-    blockOf.reserve(tree.leaves.size());
-    std::uint32_t ball = 0, box = ballCount_;
+    std::uint32_t ball = 0, box = ballSlots_;
     for (const Leaf& leaf : tree.leaves) {
-        const bool balls = (shapes[leaf.begin].index & kBallBit) != 0;
-        std::vector<std::uint32_t>& first = balls ? ballFirst_ : boxFirst_;
-        std::uint32_t& slot = balls ? ball : box;
-        blockOf.push_back(static_cast<std::uint32_t>(first.size()));
-        first.push_back(slot);
-        for (std::uint32_t i = leaf.begin; i < leaf.begin + leaf.count; ++i)
-            slotOf_[shapes[i].index & kChildMask] = slot++;
+        std::uint32_t& first = isBall(leaf) ? ball : box;
+        for (std::uint32_t i = 0; i < leaf.count; ++i)
+            slotOf_[shapes[leaf.begin + i].index & ~kBallBit] = first + i;
+        first += kBlockSize;
     }
-    ballFirst_.push_back(ball);
-    boxFirst_.push_back(box);
     nodes_ = std::move(tree.nodes);
-    for (Node8& node : nodes_)
-        for (std::uint32_t& child : node.child)
-            if (child != kNoChild && (child & kLeafBit))
-                child = (child & ~kChildMask) | blockOf[child & kChildMask];
     builtArea_ = fillTree<kCoordinates>(instances);
 }
 
@@ -209,16 +202,16 @@ template <Coordinates kCoordinates>
 bool ShapeLists::adoptTree(const std::vector<ShapeInstance>& instances,
                            const ShapeLists& previous) {
     if (previous.nodes_.empty() || previous.slotOf_.size() != instances.size() ||
-        previous.ballCount_ != ballCount_ || previous.boxCount_ != boxCount_)
+        previous.always_.size() != always_.size())
         return false;
     for (const Ball& ball : balls_)
-        if (previous.slotOf_[ball.index] >= ballCount_) return false;
+        if (previous.slotOf_[ball.index] >= previous.ballSlots_) return false;
     for (const Entry& entry : boxes_)
         if (const std::uint32_t slot = previous.slotOf_[entry.index];
-            slot < ballCount_ || slot == kNoShape)
+            slot < previous.ballSlots_ || slot == kNoShape)
             return false;
     slotOf_ = previous.slotOf_;
-    ballFirst_ = previous.ballFirst_, boxFirst_ = previous.boxFirst_;
+    ballSlots_ = previous.ballSlots_, boxSlots_ = previous.boxSlots_;
     nodes_ = previous.nodes_;
     builtArea_ = previous.builtArea_;
     return fillTree<kCoordinates>(instances) <= kMostGrowth * builtArea_;
@@ -229,34 +222,31 @@ template <Coordinates kCoordinates>
 double ShapeLists::fillTree(const std::vector<ShapeInstance>& instances) {
     sortBySlot();
     auto& blocks = std::get<Blocks<kCoordinates>>(blocks_);
-    blocks.balls.clear(), blocks.boxes.clear();
-    for (std::size_t i = 0; i + 1 < ballFirst_.size(); ++i)
-        blocks.balls.push_back(
-            ballBlock<kCoordinates>(ballFirst_[i], ballFirst_[i + 1] - ballFirst_[i]));
-    for (std::size_t i = 0; i + 1 < boxFirst_.size(); ++i)
-        blocks.boxes.push_back(boxBlock<kCoordinates>(
-            boxFirst_[i] - ballCount_, boxFirst_[i + 1] - boxFirst_[i], instances));
-    return refit(nodes_, kCoordinates, [&](std::uint32_t child) {
-        Bounds out;
-        const std::uint32_t block = child & kChildMask;
-        if (child & kBallBit)
-            for (std::uint32_t slot = ballFirst_[block]; slot < ballFirst_[block + 1]; ++slot)
-                out.add(bounded(instances[balls_[slot].index], slot));
+    blocks.balls.resize(ballSlots_ / kBlockSize), blocks.boxes.resize(boxSlots_ / kBlockSize);
+    return refit(nodes_, kCoordinates, [&](std::uint32_t leaf) {
+        const std::uint32_t block = blockOf(leaf), first = kBlockSize * block,
+                            shapes = shapesOf(leaf);
+        if (leaf & kBallBit)
+            blocks.balls[block] = ballBlock<kCoordinates>(first, shapes);
         else
-            for (std::uint32_t slot = boxFirst_[block]; slot < boxFirst_[block + 1]; ++slot)
-                out.add(bounded(instances[boxes_[slot - ballCount_].index], slot));
+            blocks.boxes[block] = boxBlock<kCoordinates>(first, shapes, instances);
+        Bounds out;
+        for (std::uint32_t slot = first; slot < first + shapes; ++slot) {
+            const std::uint32_t index = leaf & kBallBit ? balls_[slot].index : boxes_[slot].index;
+            out.add(bounded(instances[index], index));
+        }
         return out;
     });
 }
 
 void ShapeLists::sortBySlot() {
-    const auto sorted = [&](const auto& list, std::uint32_t first) {
-        std::remove_cvref_t<decltype(list)> out(list.size());
+    const auto sorted = [&](const auto& list, std::uint32_t first, std::uint32_t slots) {
+        std::remove_cvref_t<decltype(list)> out(slots);
         for (const auto& shape : list) out[slotOf_[shape.index] - first] = shape;
         return out;
     };
-    balls_ = sorted(balls_, 0);
-    boxes_ = sorted(boxes_, ballCount_);
+    balls_ = sorted(balls_, 0, ballSlots_);
+    boxes_ = sorted(boxes_, ballSlots_, boxSlots_);
 }
 
 template <Coordinates kCoordinates>
