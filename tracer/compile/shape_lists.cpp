@@ -78,7 +78,7 @@ struct ShapeLists::Asking {
     void count(const Entry&) const { ++work[Work::ShapeTests], ++work[Work::MatrixTests]; }
 };
 
-// The two questions. Both are passed by value, so that they live in registers.
+// The two questions.
 
 struct ShapeLists::Nearest {
     const ShapeLists* lists;
@@ -191,8 +191,8 @@ inline void ShapeLists::decideSlot(const Asking& asking, Question& question,
 
 /// Near ones first, so that mostly one is decided. Leaves off where the answer cannot change.
 template <class Question>
-[[gnu::noinline]] Question ShapeLists::decideInOrder(const Asking& asking, Question question,
-                                                     Candidate* candidates, int count) const {
+[[gnu::noinline]] void ShapeLists::decideInOrder(const Asking& asking, Question& question,
+                                                 Candidate* candidates, int count) const {
     while (count > 0 && !question.done()) {
         Candidate* nearest = candidates;
         for (Candidate* c = candidates + 1; c != candidates + count; ++c)
@@ -201,23 +201,21 @@ template <class Question>
         if (!asking.isKnown(nearest->slot)) decideSlot(asking, question, nearest->slot);
         *nearest = candidates[--count];
     }
-    return question;
 }
 
 template <class Question, class List>
-Question ShapeLists::decideEach(const Asking& asking, Question question, const List& list) {
+void ShapeLists::decideEach(const Asking& asking, Question& question, const List& list) {
     for (const auto& shape : list) {
         if (question.done()) break;
         if (shape.index == kNoShape) continue;
         asking.count(shape);
         question.decide(shape, asking.ray, asking.start(shape));
     }
-    return question;
 }
 
 /// The filter knows nothing of where a ray starts, so shapes whose answer depends on it come first.
 template <class Question>
-[[gnu::noinline]] Question ShapeLists::decideKnown(Asking& asking, Question question) const {
+[[gnu::noinline]] void ShapeLists::decideKnown(Asking& asking, Question& question) const {
     const auto decide = [&](std::uint32_t index) {
         const std::uint32_t slot = index < slotOf_.size() ? slotOf_[index] : kNoShape;
         if (slot == kNoShape || asking.isKnown(slot) || question.done()) return;
@@ -230,15 +228,14 @@ template <class Question>
     };
     decide(asking.ray.fromShape);
     for (int i = 0; i < asking.media.size(); ++i) decide(asking.media[i]);
-    return question;
 }
 
 /// The shapes of a flat list of blocks; slotOf(lane) of the list's lanes.
 template <class Question, class Block, class Kernel, class SlotOf>
-[[gnu::always_inline]] inline Question ShapeLists::askFlat(const Asking& asking, Question question,
-                                                           const LargeVector<Block>& blocks,
-                                                           std::size_t shapes, Kernel kernel,
-                                                           FilterRay& ray, SlotOf slotOf) const {
+[[gnu::always_inline]] inline void ShapeLists::askFlat(const Asking& asking, Question& question,
+                                                       const LargeVector<Block>& blocks,
+                                                       std::size_t shapes, Kernel kernel,
+                                                       FilterRay& ray, SlotOf slotOf) const {
     for (std::size_t i = 0; i < blocks.size() && !question.done(); i += kBlocksACall) {
         float tLo[kLanesACall];
         ray.limit = roundUp(question.limit() * asking.length);
@@ -259,22 +256,21 @@ template <class Question, class Block, class Kernel, class SlotOf>
             const auto lane = static_cast<std::size_t>(std::countr_zero(found));
             candidates[count++] = {tLo[lane], slotOf(first + lane)};
         }
-        question = decideInOrder(asking, question, candidates, count);
+        decideInOrder(asking, question, candidates, count);
     }
-    return question;
 }
 
 template <Coordinates kCoordinates, class Question>
-[[gnu::noinline]] Question ShapeLists::askTree(const Asking& asking, Question question,
-                                               FilterRay& ray) const {
+[[gnu::noinline]] void ShapeLists::askTree(const Asking& asking, Question& question,
+                                           FilterRay& ray) const {
     struct Walk {
         const ShapeLists& lists;
         const Asking& asking;
-        Question question;
+        Question& question;
     } walk{*this, asking, question};
     const auto decideLeaf = [](void* context, Candidate* candidates, int count) {
         Walk& w = *static_cast<Walk*>(context);
-        w.question = w.lists.decideInOrder(w.asking, w.question, candidates, count);
+        w.lists.decideInOrder(w.asking, w.question, candidates, count);
         return w.question.done() ? -1.0f : roundUp(w.question.limit() * w.asking.length);
     };
     ray.limit = roundUp(question.limit() * asking.length);
@@ -286,36 +282,35 @@ template <Coordinates kCoordinates, class Question>
     asking.work[Work::NodeVisits] += counts.nodes;
     asking.work[Work::BallBlocks] += counts.ballBlocks;
     asking.work[Work::BoxBlocks] += counts.boxBlocks;
-    return walk.question;
 }
 
 template <Coordinates kCoordinates, class Question>
-[[gnu::always_inline]] inline Question ShapeLists::askBlocks(const Asking& asking,
-                                                             Question question, FilterRay& ray,
-                                                             const FewShapes* few) const {
+[[gnu::always_inline]] inline void ShapeLists::askBlocks(const Asking& asking, Question& question,
+                                                         FilterRay& ray,
+                                                         const FewShapes* few) const {
     if (!few && !nodes_.empty()) return askTree<kCoordinates>(asking, question, ray);
     const auto& blocks = *std::get_if<Blocks<kCoordinates>>(few ? &few->blocks : &blocks_);
     asking.work[Work::BallBlocks] += blocks.balls.size();
     asking.work[Work::BoxBlocks] += blocks.boxes.size();
     const auto slot = [](std::size_t lane) { return static_cast<std::uint32_t>(lane); };
     if (few) {
-        question = askFlat(asking, question, blocks.balls, few->balls.size(), blocks.kernels.balls,
+        askFlat(asking, question, blocks.balls, few->balls.size(), blocks.kernels.balls,
                            ray, [&](std::size_t lane) { return few->balls[lane]; });
         return askFlat(asking, question, blocks.boxes, few->boxes.size(), blocks.kernels.boxes, ray,
                        [&](std::size_t lane) { return few->boxes[lane]; });
     }
-    question = askFlat(asking, question, blocks.balls, ballSlots_, blocks.kernels.balls, ray, slot);
+    askFlat(asking, question, blocks.balls, ballSlots_, blocks.kernels.balls, ray, slot);
     return askFlat(asking, question, blocks.boxes, boxSlots_, blocks.kernels.boxes, ray,
                    [&](std::size_t lane) { return ballSlots_ + slot(lane); });
 }
 
 template <class Question>
-[[gnu::always_inline]] inline Question ShapeLists::ask(const Ray& ray, const MediaStack& media,
-                                                       Question question, WorkCounts& work,
-                                                       const FewShapes* few) const {
+[[gnu::always_inline]] inline void ShapeLists::ask(const Ray& ray, const MediaStack& media,
+                                                   Question& question, WorkCounts& work,
+                                                   const FewShapes* few) const {
     Asking asking(ray, media, work);
-    if (!always_.empty()) question = decideEach(asking, question, always_);
-    if (question.done()) return question;
+    if (!always_.empty()) decideEach(asking, question, always_);
+    if (question.done()) return;
     FilterRay filterRay;
     const bool single = blocks_.index() == 0;
     const Coordinates coordinates = single ? Coordinates::Single : Coordinates::Pairs;
@@ -323,17 +318,21 @@ template <class Question>
     const Fit fit = unfiltered_                ? Fit::Unfit
                     : few && few->isEmpty() ? Fit::Miss
                                             : prepare(ray, reach_, coordinates, filterRay, asking.length);
-    if (fit == Fit::Unfit) return decideEach(asking, decideEach(asking, question, balls_), boxes_);
-    if (ray.fromShape != kNoShape || !media.empty()) question = decideKnown(asking, question);
-    if (fit == Fit::Miss || question.done()) return question;
+    if (fit == Fit::Unfit) {
+        decideEach(asking, question, balls_);
+        return decideEach(asking, question, boxes_);
+    }
+    if (ray.fromShape != kNoShape || !media.empty()) decideKnown(asking, question);
+    if (fit == Fit::Miss || question.done()) return;
     return single ? askBlocks<Coordinates::Single>(asking, question, filterRay, few)
                   : askBlocks<Coordinates::Pairs>(asking, question, filterRay, few);
 }
 
 ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMax,
                              WorkCounts& work, const FewShapes* few) const {
-    const Nearest question{this, coordinateSum(ray.origin), tMax};
-    return ask(ray, media, question, work, few).best;
+    Nearest question{this, coordinateSum(ray.origin), tMax};
+    ask(ray, media, question, work, few);
+    return question.best;
 }
 ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMax) const {
     WorkCounts uncounted;
@@ -342,7 +341,9 @@ ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMa
 
 bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax,
                           std::uint32_t ignored, WorkCounts& work, const FewShapes* few) const {
-    return ask(ray, media, Any{tMax, ignored}, work, few).hit;
+    Any question{tMax, ignored};
+    ask(ray, media, question, work, few);
+    return question.hit;
 }
 bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax,
                           std::uint32_t ignored) const {

@@ -202,26 +202,25 @@ class ShapeLists {
     [[nodiscard]] double fillTree(const std::vector<ShapeInstance>& instances);
     void sortBySlot();
 
-    // A Question is Nearest or Any. Each of these answers with what it knows after its shapes have
-    // been decided.
+    // A Question is Nearest or Any, and knows the answer for the shapes that have been decided.
     template <class Question>
-    Question ask(const Ray& ray, const MediaStack& media, Question question, WorkCounts& work,
-                 const FewShapes* few) const;
+    void ask(const Ray& ray, const MediaStack& media, Question& question, WorkCounts& work,
+             const FewShapes* few) const;
     template <class Question, class List>
-    static Question decideEach(const Asking& asking, Question question, const List& list);
+    static void decideEach(const Asking& asking, Question& question, const List& list);
     template <class Question>
-    Question decideKnown(Asking& asking, Question question) const;
+    void decideKnown(Asking& asking, Question& question) const;
     template <class Question, class Block, class Kernel, class SlotOf>
-    Question askFlat(const Asking& asking, Question question, const LargeVector<Block>& blocks,
-                     std::size_t shapes, Kernel kernel, FilterRay& ray, SlotOf slotOf) const;
+    void askFlat(const Asking& asking, Question& question, const LargeVector<Block>& blocks,
+                 std::size_t shapes, Kernel kernel, FilterRay& ray, SlotOf slotOf) const;
     template <Coordinates kCoordinates, class Question>
-    Question askBlocks(const Asking& asking, Question question, FilterRay& ray,
-                       const FewShapes* few) const;
+    void askBlocks(const Asking& asking, Question& question, FilterRay& ray,
+                   const FewShapes* few) const;
     template <Coordinates kCoordinates, class Question>
-    Question askTree(const Asking& asking, Question question, FilterRay& ray) const;
+    void askTree(const Asking& asking, Question& question, FilterRay& ray) const;
     template <class Question>
-    Question decideInOrder(const Asking& asking, Question question, Candidate* candidates,
-                           int count) const;
+    void decideInOrder(const Asking& asking, Question& question, Candidate* candidates,
+                       int count) const;
     template <class Question>
     void decideSlot(const Asking& asking, Question& question, std::uint32_t slot) const;
 
