@@ -55,9 +55,10 @@ ShapePoint measureShapes(const ScaleOptions& options, std::size_t count, FieldOf
     const ShapeLists lists(shapes);
     ShapePoint out;
     out.buildSeconds = watch.wallSeconds();
+    const std::vector<ShapeInstance> before = shapes;
     shapes.front().center.x += 0.01 * kHalfSize;
     const Stopwatch moved;
-    static_cast<void>(ShapeLists(shapes, &lists));
+    static_cast<void>(lists.moved(before, shapes));
     out.moveSeconds = moved.wallSeconds();
     const MediaStack media;
     WorkCounts work;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <span>
 #include <thread>
 
@@ -299,7 +300,9 @@ float roundDown(double x) {
 }
 
 /// The node's planes: whole steps, outwards by the filter's margins (shape_blocks.h).
-void setBoxes(Node8& node, Coordinates coordinates, const Bounds& all, std::span<const Bounds> children) {
+void setBoxes(Node8& node, Coordinates coordinates, std::span<const Bounds> children) {
+    Bounds all;
+    for (const Bounds& child : children) all.add(child);
     constexpr double kFarthestMargin = 8 * 0x1p-24, kLeastStep = 1e-30;
     const double sizeMargin = double{kLeastDirection} * coordinateSum(all.upper - all.lower);
     const bool single = coordinates == Coordinates::Single;
@@ -319,13 +322,29 @@ void setBoxes(Node8& node, Coordinates coordinates, const Bounds& all, std::span
         const float step = -roundDown(-std::max(least * (1 + 0x1p-50), kLeastStep));
         node.cornerHi[axis] = hi, node.cornerLo[axis] = lo, node.step[axis] = step;
         const auto steps = [&](double x) { return (x - corner) / static_cast<double>(step); };
-        for (std::size_t i = 0; i < kBlockSize && node.has(i); ++i) {
+        for (std::size_t i = 0; i < children.size(); ++i) {
             node.planes[axis][i] =
                 static_cast<std::uint8_t>(steps(face(children[i].lower[axis], -1)));
             node.planes[axis + 3][i] =
                 static_cast<std::uint8_t>(std::ceil(steps(face(children[i].upper[axis], 1))));
         }
     }
+}
+
+/// Coordinate of the plane that many steps from the node's corner.
+double planeAt(const Node8& node, int axis, double steps) {
+    return double{node.cornerHi[axis]} + double{node.cornerLo[axis]} + double{node.step[axis]} * steps;
+}
+
+/// A box around all of the node's children. It depends on them through a margin alone, not on the
+/// steps between the planes, so that boxes do not grow by being made again and again.
+Bounds allBounds(const Node8& node) {
+    Bounds out;
+    for (int axis = 0; axis < 3; ++axis) {
+        out.lower[axis] = planeAt(node, axis, 0);
+        out.upper[axis] = planeAt(node, axis, kMostSteps);
+    }
+    return out;
 }
 
 }  // namespace
@@ -338,28 +357,34 @@ Hierarchy buildHierarchy(std::vector<BoundedShape>& shapes, int threads) {
 Bounds childBounds(const Node8& node, std::size_t child) {
     Bounds out;
     for (int axis = 0; axis < 3; ++axis) {
-        const double corner = double{node.cornerHi[axis]} + double{node.cornerLo[axis]},
-                     step = node.step[axis];
-        out.lower[axis] = corner + step * node.planes[axis][child];
-        out.upper[axis] = corner + step * node.planes[axis + 3][child];
+        out.lower[axis] = planeAt(node, axis, node.planes[axis][child]);
+        out.upper[axis] = planeAt(node, axis, node.planes[axis + 3][child]);
     }
     return out;
 }
 
-double refit(LargeVector<Node8>& nodes, Coordinates coordinates,
-             const std::function<Bounds(std::uint32_t)>& leafBounds) {
-    std::vector<Bounds> bounds(nodes.size());
-    double area = 0;
+void refit(LargeVector<Node8>& nodes, Coordinates coordinates,
+           const std::function<bool(std::uint32_t)>& isNew,
+           const std::function<Bounds(std::uint32_t)>& leafBounds) {
+    std::vector<bool> remade(nodes.size());
     for (std::size_t n = nodes.size(); n-- > 0;) {
-        std::array<Bounds, kBlockSize> children;
-        for (std::size_t i = 0; i < kBlockSize && nodes[n].has(i); ++i) {
-            const std::uint32_t child = nodes[n].child[i];
-            children[i] = child & kLeafBit ? leafBounds(child) : bounds[child];
-            bounds[n].add(children[i]);
-            area += children[i].area();
-        }
-        setBoxes(nodes[n], coordinates, bounds[n], children);
+        Node8& node = nodes[n];
+        const std::span children(node.child, static_cast<std::size_t>(std::popcount(node.children)));
+        remade[n] = std::ranges::any_of(children, [&](std::uint32_t child) {
+            return child & kLeafBit ? isNew(child) : remade[child];
+        });
+        if (!remade[n]) continue;
+        std::array<Bounds, kBlockSize> bounds;
+        for (std::size_t i = 0; i < children.size(); ++i)
+            bounds[i] = children[i] & kLeafBit ? leafBounds(children[i]) : allBounds(nodes[children[i]]);
+        setBoxes(node, coordinates, std::span(bounds).first(children.size()));
     }
+}
+
+double boxArea(const LargeVector<Node8>& nodes) {
+    double area = 0;
+    for (const Node8& node : nodes)
+        for (std::size_t i = 0; i < kBlockSize && node.has(i); ++i) area += childBounds(node, i).area();
     return area;
 }
 

@@ -58,9 +58,13 @@ struct Hierarchy {
 /// The box of a node's child as it is kept, somewhat larger than what it was made from.
 [[nodiscard]] Bounds childBounds(const Node8& node, std::size_t child);
 
-/// Makes all boxes anew from those of the leaves; `leafBounds` is given a child that is one. Answers
-/// with the area of all boxes, which rays' visits are in proportion to [m^2].
-[[nodiscard]] double refit(LargeVector<Node8>& nodes, Coordinates coordinates,
-                           const std::function<Bounds(std::uint32_t child)>& leafBounds);
+/// Makes the boxes of all nodes anew that are above new leaves. `leafBounds` is asked for those of
+/// their children that are leaves, whether new or not.
+void refit(LargeVector<Node8>& nodes, Coordinates coordinates,
+           const std::function<bool(std::uint32_t leaf)>& isNew,
+           const std::function<Bounds(std::uint32_t leaf)>& leafBounds);
+
+/// Of all boxes, which rays' visits are in proportion to [m^2].
+[[nodiscard]] double boxArea(const LargeVector<Node8>& nodes);
 
 }  // namespace glint

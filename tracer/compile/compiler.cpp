@@ -277,8 +277,10 @@ class Compiler {
             out_->lists = previous_->lists;
             return;
         }
-        out_->lists = std::make_shared<const ShapeLists>(out_->shapes, previous_ ? previous_->lists.get() : nullptr);
-        ++(out_->lists->isRefitted() ? compiled_.stats.shapeListsRefitted : compiled_.stats.shapeListsBuilt);
+        std::optional<ShapeLists> moved;
+        if (previous_) moved = previous_->lists->moved(previous_->shapes, out_->shapes);
+        ++(moved ? compiled_.stats.shapeListsRefitted : compiled_.stats.shapeListsBuilt);
+        out_->lists = std::make_shared<const ShapeLists>(moved ? std::move(*moved) : ShapeLists(out_->shapes));
     }
 
     /// The previous ones where neither shapes nor lights have moved.

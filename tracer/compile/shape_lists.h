@@ -5,6 +5,8 @@
 // (shape_blocks.h), in one flat list or, above kFlatShapes, in a hierarchy (bvh8.h).
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -108,11 +110,12 @@ inline constexpr std::size_t kMostFew = 64;
 class ShapeLists {
   public:
     ShapeLists() = default;
-    /// `previous`: lists of the same shapes before they moved, if there are such. Their hierarchy is
-    /// then refitted, which takes a third to all of the time of a new one (glint-bench scale), unless
-    /// its boxes have grown by more than kMostGrowth since it was built.
-    explicit ShapeLists(const std::vector<ShapeInstance>& instances,
-                        const ShapeLists* previous = nullptr);
+    explicit ShapeLists(const std::vector<ShapeInstance>& instances);
+    /// The lists after some of the shapes, `from`, have moved, with the same hierarchy (glint-bench
+    /// scale: what it takes). None where there is no hierarchy, where shapes have come, gone or
+    /// changed their kind, or where the boxes have grown by more than kMostGrowth since it was built.
+    [[nodiscard]] std::optional<ShapeLists> moved(const std::vector<ShapeInstance>& from,
+                                                  const std::vector<ShapeInstance>& to) const;
 
     /// The nearest hit with t < tMax. Of hits that coincide up to rounding tieOrder() decides; of
     /// equal ones the shape with the lower index wins. Adds what it took to `work`. `few`: what
@@ -151,8 +154,6 @@ class ShapeLists {
             blocks_);
     }
     [[nodiscard]] bool hasHierarchy() const { return !nodes_.empty(); }
-    /// Whether the hierarchy is a previous one with new boxes.
-    [[nodiscard]] bool isRefitted() const { return refitted_; }
     /// Whether some shape needs a 3 x 3 matrix.
     [[nodiscard]] bool hasMatrices() const { return !boxes_.empty() || !always_.empty(); }
 
@@ -172,6 +173,7 @@ class ShapeLists {
         std::uint32_t index = kNoShape;
         bool dielectric;
     };
+    enum class Kind { Ball, Box, Always };
     struct Asking;
     struct Nearest;
     struct Any;
@@ -182,8 +184,14 @@ class ShapeLists {
 
     static Crossing firstHit(const Ball& ball, const Ray& ray, Start start);
     static Crossing firstHit(const Entry& entry, const Ray& ray, Start start);
+    static Kind kindOf(const ShapeInstance& instance);
+    [[nodiscard]] Kind kindOf(std::uint32_t slot) const;
+    static Ball ballOf(const ShapeInstance& instance, std::uint32_t index);
+    static Entry entryOf(const ShapeInstance& instance, std::uint32_t index);
     void sortByKind(const std::vector<ShapeInstance>& instances);
-    [[nodiscard]] Coordinates chooseCoordinates(const std::vector<ShapeInstance>& instances) const;
+    void measure(const ShapeInstance& instance);
+    [[nodiscard]] bool areNearZero() const;
+    void replace(const ShapeInstance& instance, std::uint32_t index);
     template <Coordinates kCoordinates>
     bool cullBlocks(const RayBundle& bundle, FewShapes& few) const;
     template <Coordinates kCoordinates>
@@ -196,10 +204,8 @@ class ShapeLists {
     [[nodiscard]] BoxBlock<kCoordinates> boxBlock(
         std::size_t first, std::size_t count, const std::vector<ShapeInstance>& instances) const;
     template <Coordinates kCoordinates>
-    [[nodiscard]] bool adoptTree(const std::vector<ShapeInstance>& instances,
-                                 const ShapeLists& previous);
-    template <Coordinates kCoordinates>
-    [[nodiscard]] double fillTree(const std::vector<ShapeInstance>& instances);
+    void fillTree(const std::vector<ShapeInstance>& instances,
+                  const std::function<bool(std::uint32_t leaf)>& isNew);
     void sortBySlot();
 
     // A Question is Nearest or Any, and knows the answer for the shapes that have been decided.
@@ -234,8 +240,9 @@ class ShapeLists {
     LargeVector<Node8> nodes_;           ///< empty: the list is flat
     LargeVector<std::uint32_t> slotOf_;  ///< of each shape instance
     double builtArea_ = 0;               ///< of the hierarchy's boxes when it was built [m^2]
-    bool refitted_ = false;
-    double reach_ = 0;                   ///< largest absolute coordinate of a filtered shape
+    // Of the filtered shapes, since the hierarchy was built: bounds of the absolute coordinates and of
+    // the sizes [m].
+    double reach_ = 0, leastSize_ = kInfinity;
     std::uint32_t ballSlots_ = 0, boxSlots_ = 0;  ///< lengths of the two lists
     bool unfiltered_ = true;  ///< so few shapes that all are decided
 };

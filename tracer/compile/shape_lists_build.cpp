@@ -99,7 +99,7 @@ void setCenter(Centers<kCoordinates>& centers, std::size_t lane, const DVec3& ce
 
 }  // namespace
 
-ShapeLists::ShapeLists(const std::vector<ShapeInstance>& instances, const ShapeLists* previous) {
+ShapeLists::ShapeLists(const std::vector<ShapeInstance>& instances) {
     sortByKind(instances);
     ballSlots_ = static_cast<std::uint32_t>(balls_.size());
     boxSlots_ = static_cast<std::uint32_t>(boxes_.size());
@@ -108,47 +108,93 @@ ShapeLists::ShapeLists(const std::vector<ShapeInstance>& instances, const ShapeL
     const auto build = [&]<Coordinates kCoordinates>() {
         static_assert(sizeof(Ball) * kBlockSize == kBallShapeBytes);
         blocks_.emplace<Blocks<kCoordinates>>().kernels = blockKernels<kCoordinates>();
-        if (filterable <= kFlatShapes) return buildFlat<kCoordinates>(instances);
-        refitted_ = previous && adoptTree<kCoordinates>(instances, *previous);
-        if (!refitted_) buildTree<kCoordinates>(instances);
+        filterable <= kFlatShapes ? buildFlat<kCoordinates>(instances)
+                                  : buildTree<kCoordinates>(instances);
     };
-    chooseCoordinates(instances) == Coordinates::Single
-        ? build.operator()<Coordinates::Single>()
-        : build.operator()<Coordinates::Pairs>();
+    areNearZero() ? build.operator()<Coordinates::Single>()
+                  : build.operator()<Coordinates::Pairs>();
+}
+
+std::optional<ShapeLists> ShapeLists::moved(const std::vector<ShapeInstance>& from,
+                                            const std::vector<ShapeInstance>& to) const {
+    if (nodes_.empty() || from.size() != to.size()) return std::nullopt;
+    ShapeLists out = *this;
+    std::vector<bool> isNew((ballSlots_ + boxSlots_) / kBlockSize);
+    for (std::uint32_t i = 0; i < to.size(); ++i) {
+        if (to[i].coincides(from[i])) continue;
+        const Kind kind = kindOf(to[i]);
+        if (kind != kindOf(slotOf_[i])) return std::nullopt;
+        out.replace(to[i], i);
+        if (kind != Kind::Always) isNew[slotOf_[i] / kBlockSize] = true;
+    }
+    return std::visit(
+        [&]<Coordinates kCoordinates>(Blocks<kCoordinates>& blocks) -> std::optional<ShapeLists> {
+            if (kCoordinates == Coordinates::Single && !out.areNearZero()) return std::nullopt;
+            blocks.kernels = blockKernels<kCoordinates>();
+            out.fillTree<kCoordinates>(to, [&](std::uint32_t leaf) {
+                const std::uint32_t block = blockOf(leaf);
+                return isNew[leaf & kBallBit ? block : ballSlots_ / kBlockSize + block];
+            });
+            if (boxArea(out.nodes_) > kMostGrowth * builtArea_) return std::nullopt;
+            return std::move(out);
+        },
+        out.blocks_);
+}
+
+ShapeLists::Kind ShapeLists::kindOf(const ShapeInstance& instance) {
+    if (!isFilterable(instance)) return Kind::Always;
+    const bool sphere = std::holds_alternative<CanonicalSphere>(instance.shape);
+    return sphere && similarityScale(instance.localFromWorld) > 0 ? Kind::Ball : Kind::Box;
+}
+
+ShapeLists::Kind ShapeLists::kindOf(std::uint32_t slot) const {
+    if (slot == kNoShape) return Kind::Always;
+    return slot < ballSlots_ ? Kind::Ball : Kind::Box;
+}
+
+ShapeLists::Ball ShapeLists::ballOf(const ShapeInstance& instance, std::uint32_t index) {
+    return {instance.center, similarityScale(instance.localFromWorld), index, instance.dielectric};
+}
+
+ShapeLists::Entry ShapeLists::entryOf(const ShapeInstance& instance, std::uint32_t index) {
+    return {instance.center, instance.localFromWorld, instance.shape, index, instance.dielectric};
 }
 
 void ShapeLists::sortByKind(const std::vector<ShapeInstance>& instances) {
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        const ShapeInstance& instance = instances[i];
-        const auto index = static_cast<std::uint32_t>(i);
-        const bool filterable = isFilterable(instance);
-        const bool sphere = std::holds_alternative<CanonicalSphere>(instance.shape);
-        const double scale = sphere && filterable ? similarityScale(instance.localFromWorld) : 0;
-        if (scale > 0) {
-            balls_.push_back({instance.center, scale, index, instance.dielectric});
-        } else {
-            (filterable ? boxes_ : always_)
-                .push_back({instance.center, instance.localFromWorld, instance.shape, index,
-                            instance.dielectric});
-        }
-        if (filterable) reach_ = std::max(reach_, maxComponent(glm::abs(instance.center)));
+    for (std::uint32_t i = 0; i < instances.size(); ++i) {
+        const Kind kind = kindOf(instances[i]);
+        if (kind == Kind::Ball)
+            balls_.push_back(ballOf(instances[i], i));
+        else
+            (kind == Kind::Box ? boxes_ : always_).push_back(entryOf(instances[i], i));
+        if (kind != Kind::Always) measure(instances[i]);
     }
 }
 
-/// Single where it makes no shape seem larger by more than a thousandth.
-Coordinates ShapeLists::chooseCoordinates(const std::vector<ShapeInstance>& instances) const {
-    double least = kInfinity;
-    const auto measure = [&](const auto& list) {
-        for (const auto& shape : list) {
-            const DMat3& m = instances[shape.index].worldFromLocal;
-            least = std::min(least,
-                             std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])}));
-        }
-    };
-    measure(balls_);
-    measure(boxes_);
-    return 2 * reach_ * slackFactor(Coordinates::Single) <= 1e-3 * least ? Coordinates::Single
-                                                                         : Coordinates::Pairs;
+void ShapeLists::measure(const ShapeInstance& instance) {
+    const DMat3& m = instance.worldFromLocal;
+    reach_ = std::max(reach_, maxComponent(glm::abs(instance.center)));
+    leastSize_ = std::min(leastSize_,
+                          std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])}));
+}
+
+/// Whether single coordinates make no shape seem larger by more than a thousandth.
+bool ShapeLists::areNearZero() const {
+    return 2 * reach_ * slackFactor(Coordinates::Single) <= 1e-3 * leastSize_;
+}
+
+/// Puts a shape in the place of the one with that index, of the same kind.
+void ShapeLists::replace(const ShapeInstance& instance, std::uint32_t index) {
+    const std::uint32_t slot = slotOf_[index];
+    if (slot == kNoShape) {
+        std::ranges::find(always_, index, &Entry::index)[0] = entryOf(instance, index);
+        return;
+    }
+    if (slot < ballSlots_)
+        balls_[slot] = ballOf(instance, index);
+    else
+        boxes_[slot - ballSlots_] = entryOf(instance, index);
+    measure(instance);
 }
 
 template <Coordinates kCoordinates>
@@ -195,35 +241,18 @@ void ShapeLists::buildTree(const std::vector<ShapeInstance>& instances) {
         first += kBlockSize;
     }
     nodes_ = std::move(tree.nodes);
-    builtArea_ = fillTree<kCoordinates>(instances);
-}
-
-template <Coordinates kCoordinates>
-bool ShapeLists::adoptTree(const std::vector<ShapeInstance>& instances,
-                           const ShapeLists& previous) {
-    if (previous.nodes_.empty() || previous.slotOf_.size() != instances.size() ||
-        previous.always_.size() != always_.size())
-        return false;
-    for (const Ball& ball : balls_)
-        if (previous.slotOf_[ball.index] >= previous.ballSlots_) return false;
-    for (const Entry& entry : boxes_)
-        if (const std::uint32_t slot = previous.slotOf_[entry.index];
-            slot < previous.ballSlots_ || slot == kNoShape)
-            return false;
-    slotOf_ = previous.slotOf_;
-    ballSlots_ = previous.ballSlots_, boxSlots_ = previous.boxSlots_;
-    nodes_ = previous.nodes_;
-    builtArea_ = previous.builtArea_;
-    return fillTree<kCoordinates>(instances) <= kMostGrowth * builtArea_;
-}
-
-/// Puts shapes, blocks and boxes where the slots and the nodes say. Answers with refit().
-template <Coordinates kCoordinates>
-double ShapeLists::fillTree(const std::vector<ShapeInstance>& instances) {
     sortBySlot();
+    fillTree<kCoordinates>(instances, [](std::uint32_t) { return true; });
+    builtArea_ = boxArea(nodes_);
+}
+
+/// Makes blocks and boxes of the shapes that lie in them, those of new leaves at least.
+template <Coordinates kCoordinates>
+void ShapeLists::fillTree(const std::vector<ShapeInstance>& instances,
+                          const std::function<bool(std::uint32_t)>& isNew) {
     auto& blocks = std::get<Blocks<kCoordinates>>(blocks_);
     blocks.balls.resize(ballSlots_ / kBlockSize), blocks.boxes.resize(boxSlots_ / kBlockSize);
-    return refit(nodes_, kCoordinates, [&](std::uint32_t leaf) {
+    refit(nodes_, kCoordinates, isNew, [&](std::uint32_t leaf) {
         const std::uint32_t block = blockOf(leaf), first = kBlockSize * block,
                             shapes = shapesOf(leaf);
         if (leaf & kBallBit)
@@ -231,8 +260,8 @@ double ShapeLists::fillTree(const std::vector<ShapeInstance>& instances) {
         else
             blocks.boxes[block] = boxBlock<kCoordinates>(first, shapes, instances);
         Bounds out;
-        for (std::uint32_t slot = first; slot < first + shapes; ++slot) {
-            const std::uint32_t index = leaf & kBallBit ? balls_[slot].index : boxes_[slot].index;
+        for (std::uint32_t i = first; i < first + shapes; ++i) {
+            const std::uint32_t index = leaf & kBallBit ? balls_[i].index : boxes_[i].index;
             out.add(bounded(instances[index], index));
         }
         return out;
