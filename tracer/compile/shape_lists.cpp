@@ -83,24 +83,30 @@ struct ShapeLists::Asking {
 struct ShapeLists::Nearest {
     const ShapeLists* lists;
     double place, tMax;  ///< of the ray's origin; hits from tMax on are none
-    ShapeHit best{tMax, kNoShape, 0};
-    double bestOrder = tMax;
+    // The best hit so far. Shape and face lie apart, so that they are loaded one by one as they are
+    // stored; at once, the processor would wait for the stores to end.
+    double bestT = tMax, bestOrder = tMax;
+    std::uint32_t bestShape = kNoShape;
     bool bestIsDielectric = false;
+    int bestFace = 0;
+
+    [[nodiscard]] bool found() const { return bestShape != kNoShape; }
+    [[nodiscard]] ShapeHit best() const { return {bestT, bestShape, bestFace}; }
 
     /// Hits this far from the best one may coincide with it.
     [[nodiscard]] double range() const { return kTieRange * (bestOrder + place); }
-    [[nodiscard]] double limit() const { return best.found() ? std::min(tMax, bestOrder + range()) : tMax; }
+    [[nodiscard]] double limit() const { return found() ? std::min(tMax, bestOrder + range()) : tMax; }
     [[nodiscard]] static bool done() { return false; }
     template <class Shape>
     void decide(const Shape& shape, const Ray& ray, Start start) {
         const Crossing c = firstHit(shape, ray, start);
         const double order = hitOrder(c.t, ray, start, shape.dielectric);
         if (!(order < limit())) {
-            if (!(order == bestOrder && best.found() && shape.index < best.shape)) return;
-        } else if (best.found() && order > bestOrder - range()) {
+            if (!(order == bestOrder && found() && shape.index < bestShape)) return;
+        } else if (found() && order > bestOrder - range()) {
             if (!winsTie(c, order, shape.index, shape.dielectric, ray)) return;
         }
-        best = {c.t, shape.index, c.face};
+        bestT = c.t, bestShape = shape.index, bestFace = c.face;
         bestOrder = order;
         bestIsDielectric = shape.dielectric;
     }
@@ -108,8 +114,8 @@ struct ShapeLists::Nearest {
     [[nodiscard, gnu::noinline]] bool winsTie(const Crossing& c, double order, std::uint32_t index,
                                               bool dielectric, const Ray& ray) const {
         const double mine = dielectric ? order : lists->tieOrderOf({c.t, index, c.face}, ray);
-        const double other = bestIsDielectric ? bestOrder : lists->tieOrderOf(best, ray);
-        return mine < other || (mine == other && index < best.shape);
+        const double other = bestIsDielectric ? bestOrder : lists->tieOrderOf(best(), ray);
+        return mine < other || (mine == other && index < bestShape);
     }
 };
 
@@ -332,7 +338,7 @@ ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMa
                              WorkCounts& work, const FewShapes* few) const {
     Nearest question{this, coordinateSum(ray.origin), tMax};
     ask(ray, media, question, work, few);
-    return question.best;
+    return question.best();
 }
 ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMax) const {
     WorkCounts uncounted;
