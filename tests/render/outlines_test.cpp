@@ -97,6 +97,21 @@ TEST(Outlines, AThinLineIsFollowedThroughAllPixels) {
     }
 }
 
+/// A torus lies before itself: outlines between its parts are seen too.
+TEST(Outlines, ATorusBeforeItselfHasOutlines) {
+    SceneBuilder b;
+    b.object(Torus{1, 0.3}, b.material(Diffuse{Color{0.8, 0.8, 0.8}}));
+    b.pointLight({3, 1, 4}, {30, 30, 30});
+    b.camera({0, 1, 4}, {0, 0, 0}, 40);
+    b.film(64, 48, 1024);
+    b.scene().render.integrator = Integrator::Classic;
+    const Image exact = b.render().beauty;
+    b.scene().render.errorPercent = 1;
+    const Rendering told = b.render();
+    EXPECT_LT(100 * differenceOf(told.beauty, exact), 1);
+    EXPECT_LT(static_cast<double>(told.rays.primary), 8.0 * 64 * 48);
+}
+
 TEST(Outlines, ThreadsKernelsAndRepetitionDoNotMatter) {
     SceneBuilder b = room();
     b.scene().render.errorPercent = 0.5;

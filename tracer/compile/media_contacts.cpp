@@ -58,7 +58,7 @@ bool mediaMayMatch(const RenderScene& scene) {
 }
 
 int mostMediaAtOnePlace(const RenderScene& scene, int enough) {
-    constexpr std::size_t kMostSteps = 20'000'000;
+    constexpr std::size_t kMostCrossings = 20'000'000;
     std::size_t steps = 0;
     int most = 0;
     std::vector<Bounds> begun;
@@ -69,7 +69,7 @@ int mostMediaAtOnePlace(const RenderScene& scene, int enough) {
             if (touch(box, other)) there.push_back(other);
         begun.push_back(box);
         if (static_cast<int>(there.size()) > most) most = std::max(most, mostAtOnePlace(there, 1, enough));
-        if (most > enough || (steps += begun.size()) > kMostSteps) break;
+        if (most > enough || (steps += begun.size()) > kMostCrossings) break;
     }
     return most;
 }

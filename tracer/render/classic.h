@@ -63,6 +63,15 @@ class ClassicTracer {
         if (branch.importance > kDim) state_.follow(branch.key ^ sobol::mix(met));
     }
 
+    /// One shape may lie before itself, a torus: one of 16 parts (its quarter, upper or lower, inner or outer), so that there is a change of trail
+    /// between what is in front and what is behind. Other shapes are convex: 0.
+    [[nodiscard]] std::uint32_t partOf(const SurfacePoint& point) const {
+        const ShapeInstance& instance = point.instance(scene_);
+        if (!std::holds_alternative<CanonicalTorus>(instance.shape)) return 0;
+        const DVec3 p = instance.localPoint(point.position);
+        return (p.x > 0 ? 1u : 0u) + (p.y > 0 ? 2u : 0u) + (p.z > 0 ? 4u : 0u) + (p.x * p.x + p.z * p.z > 1 ? 8u : 0u);
+    }
+
     /// Adds the light that arrives along the branch.
     void trace(Branch branch) {
         if (state_.stop()) return;
@@ -84,7 +93,7 @@ class ClassicTracer {
             branch.media.cross(point.shape);
             return trace(branch);
         }
-        follow(branch, point.shape * 16 + static_cast<std::uint32_t>(2 * point.face) + (point.outside ? 1 : 0));
+        follow(branch, (point.shape * 16 + partOf(point)) * 16 + static_cast<std::uint32_t>(2 * point.face) + (point.outside ? 1 : 0));
         if constexpr (has(F, Feature::Layers))
             if (branch.depth == 0) describeSurface(scene_, point, *state_.layers, state_.work);
         record([&](PathRecord& r) { r.arrive(branch.vertex, scene_, point, branch.weight); });

@@ -158,7 +158,8 @@ class PeersBench {
         fs::remove_all(folder_, failed);
         if (code != kOk) return code;
         summarize();
-        return writeJson(options_.json, json_) ? kOk : kCannotWrite;
+        const LogPlot plot{"Classic pictures: error over time", "processor time [s]", "relMSE", whitted_.curves};
+        return writeJson(options_.json, json_) && writeText(options_.plot, svgOf(plot)) ? kOk : kCannotWrite;
     }
 
   private:
@@ -256,6 +257,7 @@ Command peersCommand(CLI::App& root) {
     app->add_flag("--exact", options->exact, "Set Cycles up for the same picture (emissive meshes, energy kept between microfacets), not for speed");
     app->add_option("--cache", options->cache, "Folder where references are kept")->capture_default_str();
     app->add_option("--pictures", options->pictures, "Folder for the references as EXR, to look at");
+    app->add_option("--plot", options->plot, "Write the curves of classic scenes to this SVG file");
     app->add_option("--json", options->json, "Write the figures to this file as JSON");
     return {app, [options] { return PeersBench(*options).run(); }};
 }

@@ -144,6 +144,13 @@ class WhittedComparison {
     std::vector<std::string> notes_;
 };
 
+PlotCurve curveOf(std::string name, std::vector<const Setting*> settings) {
+    std::sort(settings.begin(), settings.end(), [](const Setting* a, const Setting* b) { return median(a->cpu) < median(b->cpu); });
+    PlotCurve out{std::move(name), {}};
+    for (const Setting* s : settings) out.points.push_back({median(s->cpu), s->relMse, 0});
+    return out;
+}
+
 Json toJson(const std::vector<Setting>& settings) {
     Json out = Json::array();
     for (const Setting& s : settings) out.push_back({{"setting", s.name}, {"wall_seconds", s.wall}, {"cpu_seconds", s.cpu}, {"rel_mse", s.relMse}});
@@ -173,6 +180,10 @@ int compareWithPovray(const PeersOptions& options, const PeerScene& scene, Whitt
                 100 * (difference.meanRatio - 1), 100 * difference.rms);
     for (const std::string& note : comparison.notes()) std::printf("  note: %s\n", note.c_str());
     std::fflush(stdout);
+    std::vector<const Setting*> glint;
+    for (const Setting& s : comparison.glint()) glint.push_back(&s);
+    figures.curves.push_back(curveOf(scene.name + ": POV-Ray", comparison.best()));
+    figures.curves.push_back(curveOf(scene.name + ": Glint", glint));
     figures.names.push_back(scene.name);
     figures.wall.push_back(geometricMean(wall));
     figures.cpu.push_back(geometricMean(cpu));

@@ -8,6 +8,7 @@
 #include "tests/bench/output.h"
 #include "tests/bench/peers/peer_scene.h"
 #include "tests/bench/reference_cache.h"
+#include "tracer/io/svg_plot.h"
 
 namespace glint::bench {
 
@@ -19,7 +20,7 @@ struct PeersOptions {
     double seconds = 1;
     bool exact = false;
     double referenceFactor = 100;
-    std::string json, pictures, cache = usualCacheFolder().string();
+    std::string json, plot, pictures, cache = usualCacheFolder().string();
 };
 
 /// What was found on all scenes so far.
@@ -27,6 +28,7 @@ struct WhittedFigures {
     std::vector<std::string> names;
     std::vector<double> wall, cpu;  ///< POV-Ray's time over Glint's, a scene
     Json scenes = Json::array();
+    std::vector<PlotCurve> curves;  ///< error over processor time
 
     /// Prints the means and adds everything to `json`.
     void summarize(Json& json) const;
