@@ -41,9 +41,6 @@ class ClassicTracer {
         int vertex = -1;           ///< the record's (layers only)
     };
 
-    /// Branches dimmer than this go on by chance, with their weight made up for: a tree of glass would grow without end.
-    static constexpr float kDim = 0.01f;
-
     /// Tells the record, if one is kept (layers only).
     template <class Tell>
     void record(Tell&& tell) {
@@ -60,7 +57,7 @@ class ClassicTracer {
 
     /// Notes what the branch has met. Dim branches, which are there by chance, count for nothing.
     void follow(const Branch& branch, std::uint32_t met) {
-        if (branch.importance > kDim) state_.follow(branch.key ^ sobol::mix(met));
+        if (branch.importance > state_.dim) state_.follow(branch.key ^ sobol::mix(met));
     }
 
     /// One shape may lie before itself, a torus: one of 16 parts (its quarter, upper or lower, inner or outer), so that there is a change of trail
@@ -177,11 +174,11 @@ class ClassicTracer {
                     branch.importance * maxComponent(way.weight), branch.depth + 1,
                     branch.key * 32 + static_cast<std::uint32_t>(number) + 1, branch.straightFromCamera && way.straight, seesLights};
         float chance = 1;
-        if (next.importance < kDim) {
-            chance = next.importance / kDim;
+        if (next.importance < state_.dim) {
+            chance = next.importance / state_.dim;
             if (sampler_.block(sobol::mix(next.key) ^ sampleBlock(SampleUse::Bsdf, 0, 0)).x >= chance) return;
             next.weight /= chance;
-            next.importance = kDim;
+            next.importance = state_.dim;
         }
         ++state_.rays.scatter;
         record([&](PathRecord& r) { next.vertex = r.leave(branch.vertex, eventOf(point, way), way.weight, static_cast<double>(chance)); });

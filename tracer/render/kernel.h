@@ -39,6 +39,7 @@ struct KernelState {
     GroupLight* groups = nullptr;   ///< if not null: filled with the sample's light by group
     const FewShapes* seen = nullptr;  ///< if not null: all shapes that the camera's ray can meet
     std::uint64_t materials = 0;    ///< set of the materials whose values the sample rests on, see materialBit()
+    float dim = 0.01f;              ///< classic's branches that are dimmer at the camera go on by chance: a tree of glass would grow without end
     std::uint32_t trail = 0;        ///< of the sample: a hash of what its rays met. Between samples of one trail the light changes smoothly; classic alone tells it
     float doubt = 0;                ///< of the sample: variance of its luminance by chance (roulette); infinite where it may jump within a trail
     WorkCounts work;

@@ -17,6 +17,9 @@ constexpr int kMostProbes = 64;
 /// the step. With the share a of the other, the squared error is the mean of those of an edge within the pixel, evenly in [-a, 1/2 - a], and of one
 /// within the other, a^2: least at a = 1/8.
 constexpr float kEdgeShare = 0.125f, kEdgeError = 0.16f;
+/// Branches of glass that are there by chance make noise. So dim they may be over the error that is wanted: best of 0.003 to 0.03 at 4 to 0.25 %
+/// in tests/bench/scenes/classic/glass.json.
+constexpr double kDimShare = 0.6;
 /// What the curvature told by neighbours is wrong by.
 constexpr float kCurvatureError = 0.5f;
 
@@ -25,7 +28,7 @@ float lightOf(const Rgb& difference) { return luminance(glm::abs(difference)); }
 }  // namespace
 
 struct alignas(64) Outlines::Worker {
-    Worker(const RenderScene& scene, const CancelToken& cancel) : state{.scene = scene, .cancel = cancel} {}
+    Worker(const RenderScene& scene, float dim, const CancelToken& cancel) : state{.scene = scene, .cancel = cancel, .dim = dim} {}
 
     /// A probe on a side of a pixel, which two pixels ask for.
     struct Shared {
@@ -43,8 +46,8 @@ struct alignas(64) Outlines::Worker {
 
 /// One call of look() or refine().
 struct Outlines::Run {
-    Run(const RenderScene& scene, WorkerPool& threads, const CancelToken& token)
-        : pool(threads), cancel(token), workers(static_cast<std::size_t>(threads.threads()), Worker(scene, token)) {}
+    Run(const RenderScene& scene, float dim, WorkerPool& threads, const CancelToken& token)
+        : pool(threads), cancel(token), workers(static_cast<std::size_t>(threads.threads()), Worker(scene, dim, token)) {}
 
     void addTo(RenderCounts& counts) const {
         for (const Worker& worker : workers) {
@@ -67,15 +70,17 @@ bool Outlines::suit(const RenderScene& scene) {
     return scene.settings.integrator == Integrator::Classic && scene.film.filter == Filter::Box && scene.film.filterRadius == 0.5 && !scene.camera.hasLens();
 }
 
-Outlines::Outlines(const RenderScene& scene, Features wanted, const PixelRect& rect)
+Outlines::Outlines(const RenderScene& scene, Features wanted, const PixelRect& rect, double error)
     : scene_(scene),
       trace_(chooseKernel(scene, wanted).trace),
       culls_(!has(wanted, Feature::NoSkips)),
+      wantedError_(error),
+      dim_(std::clamp(static_cast<float>(kDimShare * error), 0.003f, KernelState{scene}.dim)),
       rect_(rect),
       pixels_(static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height)) {}
 
 bool Outlines::look(Film& film, WorkerPool& pool, const CancelToken& cancel, RenderCounts& counts) {
-    Run run(scene_, pool, cancel);
+    Run run(scene_, dim_, pool, cancel);
     const bool complete = eachWanted(run, [&](Worker& worker, int x, int y) { lookAt(worker, x, y); }) &&
                           eachWanted(run, [&](Worker&, int x, int y) { putMiddle(film, x, y); });
     run.addTo(counts);
@@ -83,9 +88,9 @@ bool Outlines::look(Film& film, WorkerPool& pool, const CancelToken& cancel, Ren
     return complete;
 }
 
-bool Outlines::refine(Film& film, double error, WorkerPool& pool, const CancelToken& cancel, RenderCounts& counts) {
-    Run run(scene_, pool, cancel);
-    const double tolerance = toleranceFor(error);
+bool Outlines::refine(Film& film, WorkerPool& pool, const CancelToken& cancel, RenderCounts& counts) {
+    Run run(scene_, dim_, pool, cancel);
+    const double tolerance = this->tolerance();
     for (Pixel& pixel : pixels_) pixel.isWanted = !pixel.isHard && (pixel.error > tolerance || pixel.middle.doubt < 0);
     ++calls_;
     bool complete = true;
@@ -176,7 +181,7 @@ Rgb Outlines::beyondMiddle(int x, int y) const {
 // ---- More rays ----
 
 /// The most that a pixel may err by, so that half the square of the picture's error remains.
-double Outlines::toleranceFor(double error) const {
+double Outlines::tolerance() const {
     // Errors by their size in fourths of octaves.
     struct Bin {
         double squares = 0, count = 0;
@@ -193,7 +198,7 @@ double Outlines::toleranceFor(double error) const {
         bins[static_cast<std::size_t>(i)].count += 1;
         squares += square;
     }
-    const double allowed = 0.5 * error * error * light * light / static_cast<double>(pixels_.size());  // sum of squares
+    const double allowed = 0.5 * wantedError_ * wantedError_ * light * light / static_cast<double>(pixels_.size());  // sum of squares
     // From the largest down: all above the tolerance are brought to it.
     double above = 0;
     for (int i = kBins - 1; i >= 0; --i) {

@@ -23,15 +23,15 @@ class Outlines {
     /// the pixel itself as filter: others bend outlines in the square that samples are drawn from, where they are dearer to find than to sample.
     [[nodiscard]] static bool suit(const RenderScene& scene);
 
-    /// `rect` within the film; the scene must suit() and stay. `wanted` as in chooseKernel().
-    Outlines(const RenderScene& scene, Features wanted, const PixelRect& rect);
+    /// For a picture of half the squared `error`, over its mean luminance, at most, see refine(). `rect` within the film; the scene must suit() and
+    /// stay. `wanted` as in chooseKernel().
+    Outlines(const RenderScene& scene, Features wanted, const PixelRect& rect, double error);
 
     /// Puts all pixels into the film, each by its one ray. Both: false when cancelled; then some pixels are put and some not.
     bool look(Film& film, WorkerPool& pool, const CancelToken& cancel, RenderCounts& counts);
-    /// After look(): refines pixels that err by more than their share, where half the squared `error` (of the picture, over its mean
-    /// luminance) is that of all. A further call takes twice as many rays at most for each. Pixels that err by more than their share after the
+    /// After look(): refines pixels that err by more than their share. A further call takes twice as many rays at most for each. Pixels that err by more than their share after the
     /// last one, or that few rays cannot tell at all, lose their samples.
-    bool refine(Film& film, double error, WorkerPool& pool, const CancelToken& cancel, RenderCounts& counts);
+    bool refine(Film& film, WorkerPool& pool, const CancelToken& cancel, RenderCounts& counts);
     /// refine() was called for the last time.
     [[nodiscard]] bool isDone() const { return calls_ == kMostCalls; }
     /// Of all pixels that have their light from here, over the mean luminance of the picture, as estimated.
@@ -72,7 +72,7 @@ class Outlines {
     void lookAt(Worker& worker, int x, int y);
     void putMiddle(Film& film, int x, int y);
     [[nodiscard]] Rgb beyondMiddle(int x, int y) const;
-    [[nodiscard]] double toleranceFor(double error) const;
+    [[nodiscard]] double tolerance() const;
     void refine(Film& film, Worker& worker, int x, int y, double tolerance);
     bool follow(Run& run);
     void sumUp();
@@ -80,6 +80,8 @@ class Outlines {
     const RenderScene& scene_;
     RayFunction trace_;
     bool culls_;
+    double wantedError_;
+    float dim_;  ///< see KernelState
     PixelRect rect_;
     int calls_ = 0;
     double error_ = 0;  ///< see error()

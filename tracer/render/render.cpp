@@ -55,7 +55,7 @@ class HeadlessRender {
         if (request_.stop || scene_.settings.timeSeconds > 0)
             watcher = std::jthread([this](const std::stop_token& end) { watch(end); });
         rect_ = request_.crop.value_or(PixelRect{0, 0, scene_.film.width, scene_.film.height});
-        if (samplesAdaptively(scene_.settings) && !layers_ && Outlines::suit(scene_)) outlines_.emplace(scene_, wantedFeatures(), rect_);
+        if (samplesAdaptively(scene_.settings) && !layers_ && Outlines::suit(scene_)) outlines_.emplace(scene_, wantedFeatures(), rect_, 0.01 * scene_.settings.errorPercent);
         bool complete = true, stopped = false;
         while (complete && !isDone(scene_.settings, state()) && anotherSampleFits()) {
             if ((stopped = !waitWhilePaused())) break;
@@ -117,7 +117,7 @@ class HeadlessRender {
         const int done = errors_.leastSamples, most = samplesInPass();
         const CancelToken cancel{&epoch_, 0};
         if (outlines_ && counts_.rays.primary == 0) return told(outlines_->look(film_, pool_, cancel, counts_));
-        if (needsOutlines()) return told(outlines_->refine(film_, 0.01 * scene_.settings.errorPercent, pool_, cancel, counts_));
+        if (needsOutlines()) return told(outlines_->refine(film_, pool_, cancel, counts_));
         SampleGoal goal;
         if (samplesAdaptively(scene_.settings)) {
             if (goals_.empty()) nextGoals(film_, rect_, static_cast<std::uint32_t>(scene_.settings.spp), adaptiveRule(scene_.settings.integrator), pool_, {}, goals_);
