@@ -3,13 +3,17 @@
 
 #include <random>
 
+#include "tests/support/films.h"
 #include "tests/support/scenes.h"
-#include "tracer/render/living_picture.h"
 
 namespace glint {
 namespace {
 
+using test::finish;
+using test::firstDifference;
+using test::renderedFromNothing;
 using test::SceneBuilder;
+using test::wishFor;
 
 /// Changes a random value of a random material, or gives an object another one.
 void editMaterials(Scene& scene, std::mt19937& random) {
@@ -60,33 +64,6 @@ SceneBuilder materialStage(Integrator integrator) {
     b.scene().render.integrator = integrator;
     b.scene().render.transparentShadows = true;
     return b;
-}
-
-/// The film of `scene` with nothing kept from before.
-Film renderedFromNothing(const Scene& scene, WorkerPool& pool) {
-    AssetCache assets;
-    const auto compiled = compile(scene, {}, assets).value().scene;
-    Film film(scene.film.width, scene.film.height, compiled->lightGroups);
-    RenderCounts counts;
-    const PixelRect all{0, 0, scene.film.width, scene.film.height};
-    Scheduler(pool).renderPass(*compiled, film, nullptr, all, 1, {.samples = static_cast<std::uint32_t>(scene.render.spp)}, {}, counts);
-    return film;
-}
-
-/// The first pixel whose sums, in double and by half, are not the same bits.
-std::optional<std::pair<int, int>> firstDifference(const Film& a, const Film& b) {
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x) {
-            const FilmPixel p = a.at(x, y), q = b.at(x, y);
-            if (p.sumA != q.sumA || p.sumB != q.sumB || p.samples != q.samples || a.materials(x, y) != b.materials(x, y)) return std::pair{x, y};
-        }
-    return std::nullopt;
-}
-
-LivingPicture::Wish wishFor(const Scene& scene) { return {scene, {}, scene.film.width, scene.film.height, std::nullopt}; }
-
-void finish(LivingPicture& picture) {
-    while (!picture.isConverged()) picture.render({1e-3, 1e-2}, {});
 }
 
 /// Random material edits one after the other, some of them before the one before is done, each compared with a render from nothing.
