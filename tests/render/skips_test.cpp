@@ -79,8 +79,11 @@ TEST(Skips, CountNothingWhereTheyHoldAndChangeNoBit) {
 TEST(Skips, EveryCountIsReachedBySomeScene) {
     WorkCounts sum;
     for (const auto& scene : scenes()) sum += render(scene, {.threads = 1, .kernel = KernelChoice::NoSkips}).work;
-    for (std::size_t i = 0; i < kWorkKinds; ++i)
-        EXPECT_GT(sum.of[i], 0u) << kWorkNames[i];
+    for (std::size_t i = 0; i < kWorkKinds; ++i) {
+        // Only edits of a living picture leave hits known: first_hits_test.cpp.
+        if (i == static_cast<std::size_t>(Work::KnownHits)) EXPECT_EQ(sum.of[i], 0u);
+        else EXPECT_GT(sum.of[i], 0u) << kWorkNames[i];
+    }
 }
 
 }  // namespace

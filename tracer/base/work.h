@@ -31,15 +31,16 @@ enum class Work : std::size_t {
     LensSamples,      ///< points drawn on a lens
     Connections,      ///< ways over a perfect ball that were looked for
     Highlights,       ///< lights looked for in glossy surfaces
+    KnownHits,        ///< camera rays traced although what they hit was known
 };
-inline constexpr std::size_t kWorkKinds = static_cast<std::size_t>(Work::Highlights) + 1;
+inline constexpr std::size_t kWorkKinds = static_cast<std::size_t>(Work::KnownHits) + 1;
 /// Names for people and statistics, in the order of Work.
 inline constexpr std::array<std::string_view, kWorkKinds> kWorkNames = {
     "node_visits",    "ball_blocks",     "box_blocks",    "ball_tests",  "shape_tests",
     "matrix_tests",   "sky_lookups",     "map_lookups",   "emission_tests", "light_samples",
     "light_choices",  "mis_weights",     "black_shadow_rays", "shadow_steps", "media_steps",
     "exponentials",   "rough_lobes",     "delta_lists",   "roulettes",   "lens_samples",
-    "connections",    "highlights"};
+    "connections",    "highlights",      "known_hits"};
 
 struct WorkCounts {
     std::array<std::uint64_t, kWorkKinds> of{};

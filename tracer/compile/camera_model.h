@@ -35,6 +35,9 @@ class CameraModel {
         focus_ = camera.focusDistance.value_or(distance);
     }
 
+    /// Equal ones have the same rays.
+    bool operator==(const CameraModel&) const = default;
+
     /// The ray through film position (x, y), in pixels from the top left corner, and the middle of the lens.
     [[nodiscard]] Ray ray(double x, double y) const {
         const Ray middle = unnormalized(x, y);

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "tracer/render/camera_hit.h"
 #include "tracer/render/layers.h"
 #include "tracer/render/path_record.h"
 #include "tracer/render/shadow.h"
@@ -72,8 +73,7 @@ class ClassicTracer {
     /// Adds the light that arrives along the branch.
     void trace(Branch branch) {
         if (state_.stop()) return;
-        const FewShapes* few = branch.depth == 0 ? state_.seen : nullptr;
-        const ShapeHit hit = scene_.lists->closest(branch.ray, branch.media, kInfinity, state_.work, few);
+        const ShapeHit hit = hitOf<F>(state_, branch.ray, branch.media, branch.depth);
         if constexpr (has(F, Feature::Media))
             if (!branch.media.empty())
                 branch.weight *= transmittance<F>(mediumOf(scene_, fillingShape(scene_, branch.media)), hit.t, state_.work);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -38,6 +39,7 @@ struct KernelState {
     PathRecord* record = nullptr;   ///< if not null: filled by kernels with Feature::Layers, see path_record.h
     GroupLight* groups = nullptr;   ///< if not null: filled with the sample's light by group
     const FewShapes* seen = nullptr;  ///< if not null: all shapes that the camera's ray can meet
+    std::optional<ShapeHit>* cameraHit = nullptr;  ///< if not null: what the camera's ray hits; filled where it is not known
     std::uint64_t materials = 0;    ///< set of the materials whose values the sample rests on, see materialBit()
     float dim = 0.01f;              ///< classic's branches that are dimmer at the camera go on by chance: a tree of glass would grow without end
     std::uint32_t trail = 0;        ///< of the sample: a hash of what its rays met. Between samples of one trail the light changes smoothly; classic alone tells it

@@ -11,7 +11,9 @@ namespace glint {
 
 class LivingPicture {
   public:
-    explicit LivingPicture(WorkerPool& pool) : pool_(pool), scheduler_(pool) {}
+    /// `wanted`: what kernels must offer beside what scenes hold, see chooseKernel().
+    explicit LivingPicture(WorkerPool& pool, Features wanted = 0) : pool_(pool), scheduler_(pool, wanted, &firstHits_) {}
+    LivingPicture(const LivingPicture&) = delete;
 
     /// What is to be shown.
     struct Wish {
@@ -59,7 +61,8 @@ class LivingPicture {
     [[nodiscard]] double raysPerSecond() const { return raysPerSecond_; }
 
   private:
-    /// For pictures of scenes that undo may come back to, and for sums by light group (without which light edits restart).
+    /// For pictures of scenes that undo may come back to, and for sums by light group (without which light edits restart). First hits, which
+    /// are kept of the present picture alone, take 16 bytes a pixel beside.
     static constexpr std::size_t kCacheBytes = std::size_t{512} << 20, kGroupBytes = std::size_t{256} << 20;
     static constexpr int kMaxStride = 64;
 
@@ -82,6 +85,7 @@ class LivingPicture {
     void measure(const RayCounts& before, double took);
 
     WorkerPool& pool_;
+    FirstHits firstHits_;
     Scheduler scheduler_;
     AssetCache assets_;
     Wish wish_;

@@ -3,6 +3,7 @@
 // Start reading at radiance(). Instantiated in kernels.cpp for sets of features; what a set lacks is not compiled.
 #pragma once
 
+#include "tracer/render/camera_hit.h"
 #include "tracer/render/connections.h"
 #include "tracer/render/highlights.h"
 #include "tracer/render/layers.h"
@@ -51,8 +52,7 @@ class PathTracer {
     void follow(Path path) {
         int hidden = 0;
         while (!state_.stop()) {
-            const FewShapes* few = path.depth == 0 ? state_.seen : nullptr;
-            const ShapeHit hit = scene_.lists->closest(path.ray, path.media, kInfinity, state_.work, few);
+            const ShapeHit hit = hitOf<F>(state_, path.ray, path.media, path.depth);
             if constexpr (has(F, Feature::Media))
                 if (!path.media.empty())
                     path.throughput *= transmittance<F>(mediumOf(scene_, fillingShape(scene_, path.media)), hit.t, state_.work);

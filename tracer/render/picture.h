@@ -46,7 +46,7 @@ struct Picture {
 /// Pictures by scene, the last used first; films share what they have in common.
 class PictureCache {
   public:
-    /// Keeps films of at most so many bytes.
+    /// Keeps films of at most so many bytes; what else pictures hold is small. First hits (first_hits.h) are not kept for undo.
     explicit PictureCache(std::size_t bytes) : limit_(bytes) {}
 
     /// Keeps a copy if it is worth it: full resolution and a good part of a second.

@@ -28,7 +28,8 @@ struct PixelRect {
 
 /// Rays traced, by kind.
 struct RayCounts {
-    std::uint64_t primary = 0, shadow = 0, scatter = 0;
+    std::uint64_t primary = 0;  ///< one a sample, also where what it hits was known
+    std::uint64_t shadow = 0, scatter = 0;
     [[nodiscard]] std::uint64_t total() const { return primary + shadow + scatter; }
 };
 

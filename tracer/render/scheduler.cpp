@@ -28,11 +28,12 @@ void merge(RenderCounts& into, const RenderCounts& from) {
 /// One pass, as all workers see it.
 class Pass {
   public:
-    Pass(const RenderScene& scene, Features wanted, Film& film, LayerFilm* layers, const PixelRect& rect, int stride, const SampleGoal& goal,
-         const CancelToken& cancel)
+    Pass(const RenderScene& scene, Features wanted, Film& film, LayerFilm* layers, FirstHits* firstHits, const PixelRect& rect, int stride,
+         const SampleGoal& goal, const CancelToken& cancel)
         : scene_(scene),
           film_(film),
           layers_(layers),
+          firstHits_(firstHits),
           rect_(rect),
           stride_(stride),
           goal_(goal),
@@ -70,6 +71,17 @@ class Pass {
     [[nodiscard]] int onGrid(int v) const { return (v + stride_ - 1) / stride_ * stride_; }
     [[nodiscard]] std::uint32_t goalOf(int x, int y) const { return goal_.cells ? goal_.cells->at(x, y) : goal_.samples; }
 
+    Rgb trace(KernelState& state, int x, int y, std::uint32_t sample) {
+        if (!firstHits_ || sample > 0) return kernel_(state, x, y, sample);
+        std::optional<ShapeHit> hit = firstHits_->find(x, y);
+        const bool known = hit.has_value();
+        state.cameraHit = &hit;
+        const Rgb value = kernel_(state, x, y, sample);
+        state.cameraHit = nullptr;
+        if (hit && !known) firstHits_->keep(x, y, *hit);
+        return value;
+    }
+
     void renderPixel(KernelState& state, int x, int y, WorkerCounts& own) {
         const std::uint32_t goal = goalOf(x, y), begin = film_.samples(x, y);
         for (std::uint32_t sample = begin; sample < goal; ++sample) {
@@ -78,7 +90,7 @@ class Pass {
                 return;
             }
             if (layers_) *state.layers = {};
-            Rgb value = kernel_(state, x, y, sample);
+            Rgb value = trace(state, x, y, sample);
             if (state.cancelled) {
                 own.cancelled = true;
                 return;
@@ -98,6 +110,7 @@ class Pass {
     const RenderScene& scene_;
     Film& film_;
     LayerFilm* layers_;
+    FirstHits* firstHits_;
     const PixelRect& rect_;
     int stride_;
     const SampleGoal& goal_;
@@ -111,7 +124,8 @@ class Pass {
 
 PassResult Scheduler::renderPass(const RenderScene& scene, Film& film, LayerFilm* layers, const PixelRect& rect, int stride,
                                  const SampleGoal& goal, const CancelToken& cancel, RenderCounts& counts) {
-    Pass pass(scene, wanted_, film, layers, rect, stride, goal, cancel);
+    if (firstHits_) firstHits_->takeUp(scene);
+    Pass pass(scene, wanted_, film, layers, firstHits_, rect, stride, goal, cancel);
     std::vector<WorkerCounts> workers(static_cast<std::size_t>(pool_.threads()));
     pool_.run(pass.pieces(), [&](int worker, int piece) {
         WorkerCounts& own = workers[static_cast<std::size_t>(worker)];

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "tracer/render/film.h"
+#include "tracer/render/first_hits.h"
 #include "tracer/render/layers.h"
 #include "tracer/render/sample_goal.h"
 #include "tracer/render/worker_pool.h"
@@ -22,8 +23,9 @@ enum class PassResult { Done, Partial, Cancelled };  ///< Partial: `most` left p
 
 class Scheduler {
   public:
-    /// `wanted`: what kernels must offer beside what the scene holds, see chooseKernel().
-    explicit Scheduler(WorkerPool& pool, Features wanted = 0) : pool_(pool), wanted_(wanted) {}
+    /// `wanted`: what kernels must offer beside what the scene holds, see chooseKernel(). `firstHits`: if not null, what first samples hit is
+    /// kept there and taken from there.
+    explicit Scheduler(WorkerPool& pool, Features wanted = 0, FirstHits* firstHits = nullptr) : pool_(pool), wanted_(wanted), firstHits_(firstHits) {}
 
     /// Brings every pixel of `rect` whose x and y are multiples of `stride` to the goal. When cancelled, finished samples stay,
     /// and the same call later goes on where it ended. `layers` may be null.
@@ -33,6 +35,7 @@ class Scheduler {
   private:
     WorkerPool& pool_;
     Features wanted_;
+    FirstHits* firstHits_;
 };
 
 }  // namespace glint
