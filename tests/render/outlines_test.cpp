@@ -21,7 +21,7 @@ SceneBuilder room() {
     b.object(Plane{}, grey);
     b.object(Sphere{1}, mirror, {-1.1, 1, 0});
     b.object(Box{{1, 1, 1}}, b.material(Diffuse{Color{0.8, 0.2, 0.1}}), {1, 0.5, 0.5});
-    b.object(Cylinder{0.4, 1}, b.material(Phong{}), {0.2, 0.5, 1.6});
+    b.object(Cylinder{0.4, 1}, grey, {0.2, 0.5, 1.6});
     b.pointLight({2, 4, 2}, {20, 20, 20});
     b.pointLight({-3, 5, 3}, {15, 10, 5});
     b.scene().environment.color = Color{0.2, 0.3, 0.4};

@@ -161,7 +161,7 @@ bool OutlineCell::findParted(Part& part, int first, int second) {
     const Probe& one = corner(first + 1);
     const Probe& other = corner(second + 1);
     const double contrast = std::max(distanceOf(one.value, other.value), 1e-6 * (static_cast<double>(luminance(one.value)) + static_cast<double>(luminance(other.value))) + 1e-30);
-    const double width = std::clamp(0.5 * tolerance_ / (kPlaceError * std::sqrt(part.side) * contrast), part.side * 0x1p-20, part.side * 0.5);
+    const double width = std::clamp(0.65 * tolerance_ / (kPlaceError * std::sqrt(part.side) * contrast), part.side * 0x1p-20, part.side * 0.5);
     Crossing a, b;
     if (!cross(part.corner(first + 1), one, part.corner(first), corner(first), width, a)) return false;
     if (!cross(part.corner(second), corner(second), part.corner(second + 1), other, width, b)) return false;
