@@ -19,14 +19,14 @@ struct Found {
     OutlineMean mean;
     int probes = 0;
 };
-Found find(const Function& f, double tolerance, int leastDepth = 0, int mostProbes = 2000) {
+Found find(const Function& f, double tolerance, int leastDepth = 0, int mostProbes = 2000, double step = 0) {
     Found out;
     const Function counted = [&](const DVec2& u) {
         EXPECT_TRUE(u.x >= 0 && u.x <= 1 && u.y >= 0 && u.y <= 1);
         ++out.probes;
         return f(u);
     };
-    out.told = OutlineCell(counted).integrate(f(DVec2(0.5)), tolerance, leastDepth, mostProbes, out.mean);
+    out.told = OutlineCell(counted).integrate(f(DVec2(0.5)), tolerance, leastDepth, mostProbes, step, out.mean);
     return out;
 }
 
@@ -135,6 +135,14 @@ TEST(OutlineCell, AnOutlineThatEntersIsSaidOfItsSide) {
     ASSERT_TRUE(split.told);
     EXPECT_NEAR(split.mean.value.x, 0.1, 5e-3);
     EXPECT_GE(split.mean.crossed[0].depth, 2);
+}
+
+TEST(OutlineCell, WhatIsBrightBetweenTwoDarkSidesIsFoundWhereItMayBe) {
+    const Function band = [](const DVec2& u) { return u.y < 0.2 ? probeOf(0, 1) : u.y < 0.45 ? probeOf(1, 2) : probeOf(0, 3); };
+    EXPECT_EQ(find(band, 0.01).mean.value.x, 0);
+    const Found found = find(band, 0.01, 0, 2000, 1);
+    ASSERT_TRUE(found.told);
+    EXPECT_NEAR(found.mean.value.x, 0.25, 0.02);
 }
 
 TEST(OutlineCell, ItEndsWhereThereIsNoEndOfDetail) {

@@ -42,6 +42,7 @@ constexpr double kShadingError = 1.0 / 32;  ///< of linear shading, per largest 
 constexpr double kMiddleError = 1.0 / 8;    ///< of Simpson's rule, per difference between middle and corners
 constexpr double kRoughError = 0.25;   ///< of the mean of five values, per largest distance from it
 
+constexpr double kBetween = 0.1;      ///< of the largest step to a pixel's neighbours: what may lie between two trails
 constexpr double kUnseen = 1.5;        ///< of all that, for what lies between the probes: as pictures of many samples say (tests/bench)
 constexpr double kRoughShare = 0.5;  ///< of the tolerance and the side: less is not worth to be found better; parts along an outline may err alike
 
@@ -54,9 +55,10 @@ DVec2 OutlineCell::Part::corner(int i) const {
     return at + side * DVec2(c == 1 || c == 2 ? 1.0 : 0.0, c >= 2 ? 1.0 : 0.0);
 }
 
-bool OutlineCell::integrate(const Probe& centre, double tolerance, int leastDepth, int mostProbes, OutlineMean& out) {
+bool OutlineCell::integrate(const Probe& centre, double tolerance, int leastDepth, int mostProbes, double step, OutlineMean& out) {
     tolerance_ = tolerance / kUnseen;
     leastDepth_ = leastDepth;
+    step_ = kBetween * step;
     probes_ = 1;
     useless_ = false;
     doubts_ = static_cast<double>(centre.doubt) * static_cast<double>(centre.doubt);
@@ -143,6 +145,8 @@ void OutlineCell::findRough(Part& part) const {
     const Rgb mean = sum / 5.0f;
     double spread = distanceOf(part.centre.value, mean);
     for (const Probe& p : part.corners) spread = std::max(spread, distanceOf(p.value, mean));
+    for (const Probe& p : part.corners)
+        if (p.trail != part.centre.trail) spread = std::max(spread, step_);
     part.light = part.area() * toDouble(mean);
     part.error = part.area() * spread * kRoughError;
 }
@@ -160,7 +164,7 @@ bool OutlineCell::findParted(Part& part, int first, int second) {
     const auto corner = [&](int i) -> const Probe& { return part.corners[static_cast<std::size_t>(i & 3)]; };
     const Probe& one = corner(first + 1);
     const Probe& other = corner(second + 1);
-    const double contrast = std::max(distanceOf(one.value, other.value), 1e-6 * (static_cast<double>(luminance(one.value)) + static_cast<double>(luminance(other.value))) + 1e-30);
+    const double contrast = std::max({distanceOf(one.value, other.value), step_, 1e-30});
     const double width = std::clamp(0.65 * tolerance_ / (kPlaceError * std::sqrt(part.side) * contrast), part.side * 0x1p-20, part.side * 0.5);
     Crossing a, b;
     if (!cross(part.corner(first + 1), one, part.corner(first), corner(first), width, a)) return false;

@@ -38,9 +38,10 @@ class OutlineCell {
     explicit OutlineCell(const std::function<Probe(const DVec2&)>& probe) : probe_(probe) {}
 
     /// The mean with an error of about `tolerance` [luminance], or what some `mostProbes` give; the square is split `leastDepth` times at
-    /// least. False: a probe was of no use. Half planes and, to third order of their curvature, discs are found exactly but for the
+    /// least. `step` [luminance] is what may lie between two trails, though light be alike on both: as between a pixel and its neighbours.
+    /// False: a probe was of no use. Half planes and, to third order of their curvature, discs are found exactly but for the
     /// tolerance; what lies between the probes is not.
-    bool integrate(const Probe& centre, double tolerance, int leastDepth, int mostProbes, OutlineMean& out);
+    bool integrate(const Probe& centre, double tolerance, int leastDepth, int mostProbes, double step, OutlineMean& out);
 
   private:
     static constexpr int kDeepest = 10;
@@ -76,7 +77,7 @@ class OutlineCell {
     bool bulge(const Part& part, const DVec2& a, const DVec2& b, const DVec2& towardsSecond, std::uint32_t firstTrail, std::uint32_t secondTrail, double width, double& out);
 
     const std::function<Probe(const DVec2&)>& probe_;
-    double tolerance_ = 0;
+    double tolerance_ = 0, step_ = 0;
     int leastDepth_ = 0, probes_ = 0;
     bool useless_ = false;  ///< some probe was
     double doubts_ = 0;     ///< sum of their squares

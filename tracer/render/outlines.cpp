@@ -150,16 +150,16 @@ void Outlines::lookAt(Worker& worker, int x, int y) {
 void Outlines::putMiddle(Film& film, int x, int y) {
     Pixel& pixel = at(x, y);
     const Probe& own = pixel.middle;
-    float edge = 0;
+    pixel.step = 0;
     pixel.isSmooth = true;
     for (int v = std::max(rect_.y, y - 1); v <= std::min(rect_.y + rect_.height - 1, y + 1); ++v)
         for (int u = std::max(rect_.x, x - 1); u <= std::min(rect_.x + rect_.width - 1, x + 1); ++u)
             if (const Probe& other = at(u, v).middle; other.trail != own.trail || other.doubt < 0) {
-                edge = std::max(edge, lightOf(other.value - own.value));
+                pixel.step = std::max(pixel.step, lightOf(other.value - own.value));
                 pixel.isSmooth = false;
             }
     const Rgb beyond = beyondMiddle(x, y);
-    pixel.error = std::hypot(pixel.isSmooth ? kCurvatureError * lightOf(beyond) : kEdgeError * edge, std::max(own.doubt, 0.0f));
+    pixel.error = std::hypot(pixel.isSmooth ? kCurvatureError * lightOf(beyond) : kEdgeError * pixel.step, std::max(own.doubt, 0.0f));
     film.put(x, y, own.value + beyond, pixel.error, 1, pixel.materials);
 }
 
@@ -233,7 +233,7 @@ void Outlines::refine(Film& film, Worker& worker, int x, int y, double tolerance
     worker.materials = pixel.materials;
     OutlineMean mean;
     const std::function<Probe(const DVec2&)> ask = [&](const DVec2& u) { return sharedProbe(worker, x, y, u); };
-    const bool told = pixel.middle.doubt >= 0 && OutlineCell(ask).integrate(pixel.middle, tolerance, pixel.split, kMostProbes << (calls_ - 1), mean);
+    const bool told = pixel.middle.doubt >= 0 && OutlineCell(ask).integrate(pixel.middle, tolerance, pixel.split, kMostProbes << (calls_ - 1), pixel.step, mean);
     if (worker.state.cancelled) return;
     pixel.isHard = !told || (isDone() && mean.error > tolerance);
     if (pixel.isHard) return film.clear({x, y, 1, 1});

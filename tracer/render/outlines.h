@@ -42,6 +42,7 @@ class Outlines {
     struct Pixel {
         Probe middle;
         float error = 0;  ///< of what the film has [luminance]
+        float step = 0;   ///< largest to a neighbour of another trail [luminance]
         std::uint64_t materials = 0;
         std::array<bool, 4> crossed{};  ///< the sides across which an outline is known to go
         std::int8_t split = 0;          ///< its square is to be split so often at least, because a neighbour's outline enters it
