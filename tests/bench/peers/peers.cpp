@@ -147,7 +147,7 @@ class PeersBench {
     explicit PeersBench(const PeersOptions& options) : options_(options) {}
 
     int run() {
-        if (!canWrite(options_.json)) return kCannotWrite;
+        if (!canWrite(options_.json) || !canWrite(options_.plot)) return kCannotWrite;
         std::error_code failed;
         folder_ = fs::temp_directory_path() / format("glint-peers-%d", static_cast<int>(getpid()));
         fs::create_directories(folder_, failed);
