@@ -50,12 +50,7 @@ struct Outlines::Run {
         : pool(threads), cancel(token), workers(static_cast<std::size_t>(threads.threads()), Worker(scene, dim, token)) {}
 
     void addTo(RenderCounts& counts) const {
-        for (const Worker& worker : workers) {
-            counts.rays.primary += worker.state.rays.primary;
-            counts.rays.shadow += worker.state.rays.shadow;
-            counts.rays.scatter += worker.state.rays.scatter;
-            counts.work += worker.state.work;
-        }
+        for (const Worker& worker : workers) counts.add(worker.state.rays, worker.state.work);
     }
 
     WorkerPool& pool;

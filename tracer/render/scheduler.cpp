@@ -17,10 +17,7 @@ struct alignas(64) WorkerCounts {
 };
 
 void merge(RenderCounts& into, const RenderCounts& from) {
-    into.rays.primary += from.rays.primary;
-    into.rays.shadow += from.rays.shadow;
-    into.rays.scatter += from.rays.scatter;
-    into.work += from.work;
+    into.add(from.rays, from.work);
     into.nonfinite += from.nonfinite;
     if (!into.firstNonfinite) into.firstNonfinite = from.firstNonfinite;
 }
@@ -64,7 +61,7 @@ class Pass {
                 if (!std::exchange(culled, true)) state.seen = culls_ ? shapesSeen(scene_, x0, y0, x1, y1, own.seen) : nullptr;
                 renderPixel(state, x, y, own);
             }
-        merge(own.counts, {state.rays, state.work, 0, {}});
+        own.counts.add(state.rays, state.work);
     }
 
   private:

@@ -17,6 +17,14 @@ struct RenderCounts {
     WorkCounts work;
     std::uint64_t nonfinite = 0;  ///< samples that were not finite: counted as black
     std::optional<SamplePlace> firstNonfinite;
+
+    /// What one worker has done.
+    void add(const RayCounts& ofRays, const WorkCounts& ofWork) {
+        rays.primary += ofRays.primary;
+        rays.shadow += ofRays.shadow;
+        rays.scatter += ofRays.scatter;
+        work += ofWork;
+    }
 };
 
 enum class PassResult { Done, Partial, Cancelled };  ///< Partial: `most` left pixels short of the goal
