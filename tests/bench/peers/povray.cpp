@@ -38,7 +38,7 @@ Result<TimedPicture> Povray::render(const PovrayQuality& quality, int scale) con
     const Result<Finished> run = runProgram(
         {"povray", "+I" + file_.string(), "+O" + picture.string(), "+FE", "-D", "-P", "+WT" + std::to_string(scene_.threads),
          "+W" + std::to_string(film.width * scale), "+H" + std::to_string(film.height * scale), "+AM" + std::to_string(quality.method),
-         format("+A%.3f", quality.threshold), "+R" + std::to_string(quality.depth), "-J", "+Q9", "File_Gamma=1.0"});
+         format("+A%.3f", quality.threshold), "+R" + std::to_string(quality.depth), "-J", "+Q9", "File_Gamma=1.0", format("Declare=Bailout=%.6f", quality.bailout)});
     if (!run) return run.error();
     const double wall = numberBefore(run.value().output, "Trace Time:", " seconds)"), cpu = numberBefore(run.value().output, "Trace Time:", " CPU-seconds");
     if (run.value().exitCode != 0 || cpu < 0)

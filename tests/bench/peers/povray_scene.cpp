@@ -44,7 +44,7 @@ class Writer {
     explicit Writer(const Scene& scene) : scene_(scene) {}
 
     PovrayScene run() {
-        out_ = "#version 3.7;\nglobal_settings{assumed_gamma 1 ambient_light 0 max_trace_level " + std::to_string(std::max(1, scene_.render.maxDepth)) +
+        out_ = "#version 3.7;\nglobal_settings{assumed_gamma 1 ambient_light 0 adc_bailout Bailout max_trace_level " + std::to_string(std::max(1, scene_.render.maxDepth)) +
                "}\n#default{finish{ambient 0 emission 0 diffuse 1 specular 0}}\n";
         camera();
         environment();
