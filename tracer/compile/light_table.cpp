@@ -72,8 +72,8 @@ LightSample samplePoint(const CompiledLight& light, const DVec3& from) {
     const double distance2 = glm::dot(to, to);
     if (!(distance2 > 0)) return {};
     const double distance = std::sqrt(distance2);
-    const DVec3 wi = to / distance;
-    Rgb irradiance = toFloat(light.intensity / distance2);
+    const DVec3 wi = to * (1 / distance);
+    Rgb irradiance = toFloat(light.intensity * (1 / distance2));
     if (light.kind == LightKind::Spot) {
         const float cosine = static_cast<float>(-glm::dot(wi, light.direction));
         if (cosine <= light.cosOuter) return {};

@@ -12,6 +12,15 @@ class MediaStack {
   public:
     static constexpr int kCapacity = 16;
 
+    MediaStack() {}  // Not defaulted: the places stay as they are.
+    /// Copies what it holds, mostly nothing.
+    MediaStack(const MediaStack& other) { *this = other; }
+    MediaStack& operator=(const MediaStack& other) {
+        count_ = other.count_;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) shapes_[i] = other.shapes_[i];
+        return *this;
+    }
+
     [[nodiscard]] bool empty() const { return count_ == 0; }
     [[nodiscard]] int size() const { return count_; }
     [[nodiscard]] std::uint32_t operator[](int i) const { return shapes_[static_cast<std::size_t>(i)]; }
@@ -33,7 +42,7 @@ class MediaStack {
         for (--count_; i < count_; ++i) shapes_[static_cast<std::size_t>(i)] = (*this)[i + 1];
     }
 
-    std::array<std::uint32_t, kCapacity> shapes_{};
+    std::array<std::uint32_t, kCapacity> shapes_;  ///< the first count_ are set
     int count_ = 0;
 };
 

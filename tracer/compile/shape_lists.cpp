@@ -169,6 +169,8 @@ double ShapeLists::tieOrderOf(const ShapeHit& hit, const Ray& ray) const {
 }
 
 [[gnu::noinline]] Crossing ShapeLists::firstHit(const Entry& entry, const Ray& ray, Start start) {
+    // As the shape itself would say; of most shadow rays this is all that there is to say of it.
+    if (start == Start::Leaving && entry.convex) return {};
     const DVec3 o = entry.localFromWorld * (ray.origin - entry.center),
                 d = entry.localFromWorld * ray.direction;
     return std::visit(

@@ -171,7 +171,7 @@ class ShapeLists {
         DMat3 localFromWorld;
         CanonicalShape shape;
         std::uint32_t index = kNoShape;
-        bool dielectric;
+        bool dielectric, convex;
     };
     enum class Kind { Ball, Box, Always };
     struct Asking;

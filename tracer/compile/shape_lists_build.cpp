@@ -157,7 +157,10 @@ ShapeLists::Ball ShapeLists::ballOf(const ShapeInstance& instance, std::uint32_t
 }
 
 ShapeLists::Entry ShapeLists::entryOf(const ShapeInstance& instance, std::uint32_t index) {
-    return {instance.center, instance.localFromWorld, instance.shape, index, instance.dielectric};
+    const bool convex =
+        std::visit([]<class Shape>(const Shape&) { return Shape::convex; }, instance.shape);
+    return {instance.center, instance.localFromWorld, instance.shape,
+            index,           instance.dielectric,     convex};
 }
 
 void ShapeLists::sortByKind(const std::vector<ShapeInstance>& instances) {

@@ -147,14 +147,16 @@ void Outlines::putMiddle(Film& film, int x, int y) {
     const Probe& own = pixel.middle;
     pixel.step = 0;
     pixel.isSmooth = true;
+    const int left = std::max(rect_.x, x - 1), right = std::min(rect_.x + rect_.width - 1, x + 1);
     for (int v = std::max(rect_.y, y - 1); v <= std::min(rect_.y + rect_.height - 1, y + 1); ++v)
-        for (int u = std::max(rect_.x, x - 1); u <= std::min(rect_.x + rect_.width - 1, x + 1); ++u)
-            if (const Probe& other = at(u, v).middle; other.trail != own.trail || other.doubt < 0) {
-                pixel.step = std::max(pixel.step, lightOf(other.value - own.value));
+        for (const Pixel *other = &at(left, v), *last = &at(right, v); other <= last; ++other)
+            if (other->middle.trail != own.trail || other->middle.doubt < 0) {
+                pixel.step = std::max(pixel.step, lightOf(other->middle.value - own.value));
                 pixel.isSmooth = false;
             }
     const Rgb beyond = beyondMiddle(x, y);
-    pixel.error = std::hypot(pixel.isSmooth ? kCurvatureError * lightOf(beyond) : kEdgeError * pixel.step, std::max(own.doubt, 0.0f));
+    const float unsure = pixel.isSmooth ? kCurvatureError * lightOf(beyond) : kEdgeError * pixel.step, doubt = std::max(own.doubt, 0.0f);
+    pixel.error = std::sqrt(unsure * unsure + doubt * doubt);
     film.put(x, y, own.value + beyond, pixel.error, 1, pixel.materials);
 }
 
@@ -162,13 +164,14 @@ void Outlines::putMiddle(Film& film, int x, int y) {
 /// share of what is beyond an edge.
 Rgb Outlines::beyondMiddle(int x, int y) const {
     Rgb out(0.0f);
-    const Probe& own = at(x, y).middle;
-    for (const auto& [u, v] : {std::pair{1, 0}, {0, 1}}) {
-        if (!holds(x - u, y - v) || !holds(x + u, y + v)) continue;
-        const Probe &before = at(x - u, y - v).middle, &after = at(x + u, y + v).middle;
-        const bool smooth = before.trail == own.trail && after.trail == own.trail;
-        for (const Probe* other : {&before, &after})
-            if (smooth || other->trail != own.trail) out += (smooth ? 1.0f / 24 : kEdgeShare) * (other->value - own.value);
+    const Pixel* pixel = &at(x, y);
+    const Probe& own = pixel->middle;
+    for (const auto& [hasBoth, stride] : {std::pair{x > rect_.x && x + 1 < rect_.x + rect_.width, 1}, {y > rect_.y && y + 1 < rect_.y + rect_.height, rect_.width}}) {
+        if (!hasBoth) continue;
+        const Probe &before = pixel[-stride].middle, &after = pixel[stride].middle;
+        const bool isBefore = before.trail == own.trail, isAfter = after.trail == own.trail;
+        if (isBefore && isAfter) out += (before.value + after.value - 2.0f * own.value) * (1.0f / 24);
+        else out += (isBefore ? 0.0f : kEdgeShare) * (before.value - own.value) + (isAfter ? 0.0f : kEdgeShare) * (after.value - own.value);
     }
     return out;
 }

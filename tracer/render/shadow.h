@@ -32,22 +32,23 @@ struct ShadowTarget {
 /// Share of light that comes along `ray` from the target. At most `passes` surfaces may be gone through. With `tinted`,
 /// dielectrics let light pass unbent and only absorb (classic's transparent shadows).
 template <Features F>
-[[nodiscard]] Rgb shadowTransmittance(KernelState& state, Ray ray, MediaStack media, const ShadowTarget& target, int passes, bool tinted) {
+[[nodiscard]] Rgb shadowTransmittance(KernelState& state, const Ray& start, const MediaStack& around, const ShadowTarget& target, int passes, bool tinted) {
     const RenderScene& scene = state.scene;
     const std::uint32_t light = target.shape;
     double tMax = target.distance;
-    const FewShapes* few = has(F, Feature::NoSkips) ? nullptr : scene.lightBuffers.between(target.light, ray.origin);
+    const FewShapes* few = has(F, Feature::NoSkips) ? nullptr : scene.lightBuffers.between(target.light, start.origin);
     // What a lamp lies flush with does not shadow it.
-    if (light != kNoShape) tMax -= kLampRange * (tMax + coordinateSum(ray.origin));
-    Rgb share(1.0f);
+    if (light != kNoShape) tMax -= kLampRange * (tMax + coordinateSum(start.origin));
     ++state.rays.shadow;
     const bool opaque = !has(F, Feature::NoSkips) && !has(scene.features, Feature::Straight);
     if ((!has(F, Feature::Straight) || opaque) && !tinted) {
-        if (scene.lists->occluded(ray, media, tMax, light, state.work, few)) return Rgb(0.0f);
-        if constexpr (has(F, Feature::Media))
-            share = transmittance<F>(mediumOf(scene, fillingShape(scene, media)), tMax, state.work);
-        return share;
+        if (scene.lists->occluded(start, around, tMax, light, state.work, few)) return Rgb(0.0f);
+        if constexpr (has(F, Feature::Media)) return transmittance<F>(mediumOf(scene, fillingShape(scene, around)), tMax, state.work);
+        return Rgb(1.0f);
     }
+    Ray ray = start;
+    MediaStack media = around;
+    Rgb share(1.0f);
     while (true) {
         ++state.work[Work::ShadowSteps];
         const ShapeHit hit = scene.lists->closest(ray, media, tMax, state.work, few);
