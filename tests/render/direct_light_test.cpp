@@ -78,5 +78,31 @@ INSTANTIATE_TEST_SUITE_P(Both, DirectLight, testing::Values(Integrator::Path, In
     return tested.param == Integrator::Path ? "Path" : "Classic";
 });
 
+/// More lights than are all sampled at a first surface: one is chosen, whatever its kind, and the picture is the sum of them all.
+TEST(OneOfManyLights, IsChosenSoThatTheyAddUp) {
+    SceneBuilder b = floorSeenAtOnePoint(Integrator::Path);
+    b.film(32, 32, 2048);
+    const auto pointLight = [](double intensity, const DVec3& at) { return kAlbedo / kPi * intensity * at.y / std::pow(glm::length(at), 3); };
+    double exact = 0;
+    for (const DVec3& at : {DVec3(1, 2, 0), DVec3(-1, 1.5, 1)}) {
+        b.pointLight(at, {3, 3, 3});
+        exact += pointLight(3, at);
+    }
+    // A spot that the point lies in, one that it does not.
+    b.scene().lights.add({"In", SpotLight{{0.5, 3, -1}, {0.2, 0, 0}, {8, 8, 8}, 30, 0}, true, ""});
+    exact += pointLight(8, {0.5, 3, -1});
+    b.scene().lights.add({"Beside", SpotLight{{0.5, 3, -1}, {4, 0, 0}, {50, 50, 50}, 30, 0.15}, true, ""});
+    b.object(Sphere{0.5}, {}, {-2, 2, -2}, {5, 5, 5});
+    exact += kAlbedo * 5 * 0.25 / 12 * 2 / std::sqrt(12);
+    // A rectangle that faces the floor, one that does not.
+    const ObjectId down = b.object(Quad{{2, 3}}, {}, {0, 6, 0}, {20, 20, 20});
+    b.object(Quad{{1, 1}}, {}, {0, 1.5, -5}, {20, 20, 20});
+    Object lamp = b.scene().objects.at(down);
+    lamp.transform.rotateDegrees = {180, 0, 0};
+    b.scene().objects.set(down, lamp);
+    exact += kAlbedo * 20 * 4 * cornerFormFactor(1, 1.5, 6);
+    test::expectMean(b.render().beauty, exact, "seven lights");
+}
+
 }  // namespace
 }  // namespace glint

@@ -1,6 +1,7 @@
 // Pictures against stored ones of another method: every sample drawn independently of all others, no path split, none left to
-// chance, the power heuristic. Beside each scene of tests/render/references lie the mean of its reference and the variance of that
-// mean, a number a pixel and channel. `GLINT_WRITE_REFERENCES=1 glint_tests_render --gtest_filter=References.*` makes them anew.
+// chance, every light as likely to be chosen as any other, the power heuristic. Beside each scene of tests/render/references lie
+// the mean of its reference and the variance of that mean, a number a pixel and channel.
+// `GLINT_WRITE_REFERENCES=1 glint_tests_render --gtest_filter=References.*` makes them anew.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -46,6 +47,7 @@ using Moments = std::array<test::RunningMoments, 3>;
 
 /// Row `y` of a picture by plain Monte Carlo: the first sample under each of `samples` seeds.
 std::vector<Moments> referenceRow(RenderScene scene, int y, int samples) {
+    scene.lights.choice = LightChoice(std::vector<LightBounds>(scene.lights.lights.size(), {DVec3(0.0), kInfinity, 1}));
     KernelState state{scene, {}, {}, false};
     std::vector<Moments> row(static_cast<std::size_t>(scene.film.width));
     for (int s = 0; s < samples; ++s) {

@@ -90,7 +90,7 @@ LightBounds boundsOf(const CompiledLight& light, const CompiledEnvironment& envi
     const double emission = static_cast<double>(luminance(light.emission));
     switch (light.kind) {
         case LightKind::Point:
-        case LightKind::Spot: return {light.position, 0, emission};
+        case LightKind::Spot: return {light.position, 0, luminance(light.intensity)};
         case LightKind::Sun: return {DVec3(0.0), kInfinity, light.isDelta() ? emission : emission * kPi * light.sin2Angle};
         case LightKind::Environment: return {DVec3(0.0), kInfinity, kPi * static_cast<double>(luminance(environment.scale * environment.map->meanRadiance()))};
         case LightKind::Area: break;
