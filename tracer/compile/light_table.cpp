@@ -85,18 +85,37 @@ LightSample samplePoint(const CompiledLight& light, const DVec3& from) {
     return {wi, distance, irradiance, 1.0};
 }
 
+/// Area of a quad or disk; 0 for any other shape.
+double flatArea(const ShapeInstance& shape) {
+    const double sides = glm::length(glm::cross(shape.worldFromLocal[0], shape.worldFromLocal[2]));
+    if (std::holds_alternative<CanonicalQuad>(shape.shape)) return 4 * sides;
+    return std::holds_alternative<CanonicalDisk>(shape.shape) ? kPi * sides : 0;
+}
+
+/// Wider than the spot by what its cosines in float and the sums of angles may be wrong.
+LightAim aimOfSpot(const CompiledLight& spot) {
+    constexpr double kMargin = 1e-6;
+    const double inner = std::acos(static_cast<double>(spot.cosInner)), outer = std::acos(static_cast<double>(spot.cosOuter));
+    return {spot.direction, inner, std::cos(outer - inner) - kMargin};
+}
+
 /// Where a light is, and about what irradiance it gives at 1 m, or at any distance if it is infinitely far.
 LightBounds boundsOf(const CompiledLight& light, const CompiledEnvironment& environment, const std::vector<ShapeInstance>& shapes) {
     const double emission = static_cast<double>(luminance(light.emission));
     switch (light.kind) {
-        case LightKind::Point:
-        case LightKind::Spot: return {light.position, 0, luminance(light.intensity)};
-        case LightKind::Sun: return {DVec3(0.0), kInfinity, light.isDelta() ? emission : emission * kPi * light.sin2Angle};
+        case LightKind::Point: return {light.position, 0, luminance(light.intensity)};
+        case LightKind::Spot: return {light.position, 0, luminance(light.intensity), aimOfSpot(light)};
+        case LightKind::Sun:
+            return {DVec3(0.0), kInfinity, light.isDelta() ? emission : emission * kPi * light.sin2Angle, LightAim(-light.direction, std::asin(std::sqrt(std::min(1.0, light.sin2Angle))), 0)};
         case LightKind::Environment: return {DVec3(0.0), kInfinity, kPi * static_cast<double>(luminance(environment.scale * environment.map->meanRadiance()))};
         case LightKind::Area: break;
     }
     const ShapeInstance& shape = shapes[light.shape];
     const DMat3& m = shape.worldFromLocal;
+    if (const double area = flatArea(shape); area > 0 && !light.twoSided) {
+        const DVec3 normal = glm::normalize(DVec3(0, 1, 0) * shape.localFromWorld);  // (M^-1)^T n
+        return {shape.center, std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[2], m[2])), emission * area, LightAim(normal, 0, 0)};
+    }
     const double ball = lampRadius(shape), reach = std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
     return {shape.center, ball > 0 ? ball : reach, light.power / 4};
 }

@@ -301,6 +301,7 @@ class PathTracer {
                 const LightChoice::Chosen choice = scene_.lights.choice.choose(point.position, point.facingNormal(), static_cast<double>(u.z));
                 light = choice.light;
                 chosen = choice.probability;
+                if (chosen == 0) return;
             }
             addLight(path, step, point, material, smoothChance, light, chosen, {u.x, u.y});
         }
