@@ -1,6 +1,6 @@
 // Choosing one of many lights for a point: by what each could send there at most, from its power,
 // distance, side and the directions it shines in, in two steps: a cluster of neighbours, then a light
-// of it. Of n lights about 2 sqrt(n) are looked at, all where they are few. The idea is that of light trees (Conty Estevez and
+// of it. Of n lights about 2 sqrt(n) are looked at, all where they are few and aimed. The idea is that of light trees (Conty Estevez and
 // Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", HPG 2018) with two levels.
 // By power alone the error of 64 lamps over a floor is 1.13 times as large at the same samples, of 1000 as in `glint-bench scale`
 // more: glint-bench choices --only lights.

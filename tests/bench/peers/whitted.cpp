@@ -85,11 +85,11 @@ class WhittedComparison {
         return Done{};
     }
 
-    /// Settings of POV-Ray that no other beats in time and error.
+    /// Settings of POV-Ray that no other beats: in less time, with no more error.
     [[nodiscard]] std::vector<const Setting*> best() const {
         std::vector<const Setting*> out;
         for (const Setting& s : povray_)
-            if (std::none_of(povray_.begin(), povray_.end(), [&](const Setting& other) { return median(other.cpu) < median(s.cpu) && other.relMse < s.relMse; }))
+            if (std::none_of(povray_.begin(), povray_.end(), [&](const Setting& other) { return median(other.cpu) < median(s.cpu) && other.relMse <= s.relMse; }))
                 out.push_back(&s);
         return out;
     }
