@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tracer/compile/quad_light.h"
 #include "tracer/compile/render_scene.h"
 
 namespace glint {
@@ -72,12 +73,6 @@ bool isTarget(const CompiledLight& light, const std::vector<ShapeInstance>& shap
     if (!isBlack(materials[shape.material].straight) || shape.dielectric) return false;
     return ballRadius(shape) > 0 || std::holds_alternative<CanonicalQuad>(shape.shape) || std::holds_alternative<CanonicalDisk>(shape.shape);
 }
-
-/// Of quads and disks.
-double flatArea(const ShapeInstance& shape) {
-    return (std::holds_alternative<CanonicalQuad>(shape.shape) ? 4.0 : kPi) * glm::length(glm::cross(shape.worldFromLocal[2], shape.worldFromLocal[0]));
-}
-
 
 /// 1 - cos of the half angle, at the lamp's centre, of the cap that the caster can see; 0: too near.
 double capHeight(const Caster& caster, const ShapeInstance& lamp, double radius) {

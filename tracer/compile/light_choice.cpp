@@ -117,7 +117,6 @@ LightChoice::Chosen LightChoice::choose(const DVec3& from, const DVec3& normal, 
         return clusters_[i].bounds.importance(from, normal);
     });
     const Cluster& c = clusters_[cluster.light];
-    if (cluster.probability == 0) return {order_[c.begin], 0};
     if (c.end - c.begin == 1) return {order_[c.begin], cluster.probability};
     const Chosen light = pick(c.begin, c.end, u, [&](std::uint32_t i) {
         return lights_[order_[i]].importance(from, normal);

@@ -85,13 +85,6 @@ LightSample samplePoint(const CompiledLight& light, const DVec3& from) {
     return {wi, distance, irradiance, 1.0};
 }
 
-/// Area of a quad or disk; 0 for any other shape.
-double flatArea(const ShapeInstance& shape) {
-    const double sides = glm::length(glm::cross(shape.worldFromLocal[0], shape.worldFromLocal[2]));
-    if (std::holds_alternative<CanonicalQuad>(shape.shape)) return 4 * sides;
-    return std::holds_alternative<CanonicalDisk>(shape.shape) ? kPi * sides : 0;
-}
-
 /// Wider than the spot by what its cosines in float and the sums of angles may be wrong.
 LightAim aimOfSpot(const CompiledLight& spot) {
     constexpr double kMargin = 1e-6;
@@ -106,7 +99,8 @@ LightBounds boundsOf(const CompiledLight& light, const CompiledEnvironment& envi
         case LightKind::Point: return {light.position, 0, luminance(light.intensity)};
         case LightKind::Spot: return {light.position, 0, luminance(light.intensity), aimOfSpot(light)};
         case LightKind::Sun:
-            return {DVec3(0.0), kInfinity, light.isDelta() ? emission : emission * kPi * light.sin2Angle, LightAim(-light.direction, std::asin(std::sqrt(std::min(1.0, light.sin2Angle))), 0)};
+            return {DVec3(0.0), kInfinity, light.isDelta() ? emission : emission * kPi * light.sin2Angle,
+                    LightAim(-light.direction, std::asin(std::sqrt(std::min(1.0, light.sin2Angle))), 0)};
         case LightKind::Environment: return {DVec3(0.0), kInfinity, kPi * static_cast<double>(luminance(environment.scale * environment.map->meanRadiance()))};
         case LightKind::Area: break;
     }

@@ -11,6 +11,13 @@
 
 namespace glint {
 
+/// Area of a quad or disk in render space [m^2]; 0 for any other shape.
+[[nodiscard]] inline double flatArea(const ShapeInstance& shape) {
+    const double sides = glm::length(glm::cross(shape.worldFromLocal[2], shape.worldFromLocal[0]));
+    if (std::holds_alternative<CanonicalQuad>(shape.shape)) return 4 * sides;
+    return std::holds_alternative<CanonicalDisk>(shape.shape) ? kPi * sides : 0;
+}
+
 class QuadLight {
   public:
     /// `quad` passes isRectangle().

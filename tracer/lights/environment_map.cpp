@@ -75,6 +75,18 @@ double invertLinear(double u, double a, double b) {
     return denominator > 0 ? std::min(1.0, u * (a + b) / denominator) : 0.0;
 }
 
+/// The last of `count` pieces, in order, that starts at or before the target; the first where none does. Without branches.
+template <class StartOf>
+int lastFrom(int count, double target, const StartOf& startOf) {
+    int last = 0;
+    while (count > 1) {
+        const int half = count / 2;
+        last = startOf(last + half) <= target ? last + half : last;
+        count -= half;
+    }
+    return last;
+}
+
 /// The fraction t of a band at which the integral of ((1 - t) upper + t lower) sin(theta) from its
 /// start reaches `share` of `mass`, its value for the whole band. Halley's method from the solution
 /// for a linear density: two or three steps; error 1e-12, or 1e-4 within that much of a place where
@@ -264,13 +276,7 @@ EnvironmentMap::Column EnvironmentMap::sampleColumn(double u, int y0, int y1, do
     const double* lower = blocks_.data() + rowStart(y1);
     const auto before = [&](int block) { return (1 - fy) * upper[block] + fy * lower[block]; };
     const double target = u * before(blocksPerRow_);
-    int block = 0;
-    for (int count = blocksPerRow_;
-         count > 1;) {  // The last block that starts at or before the target, without branches.
-        const int half = count / 2;
-        block = before(block + half) <= target ? block + half : block;
-        count -= half;
-    }
+    const int block = lastFrom(blocksPerRow_, target, before);
 
     const int width = image_->width, last = std::min((block + 1) * kBlock, width) - 1;
     const float* upperWeights = weights_.data() + static_cast<std::size_t>(y0) * static_cast<std::size_t>(width);
@@ -296,13 +302,7 @@ EnvironmentMap::Column EnvironmentMap::sampleColumn(double u, int y0, int y1, do
 EnvironmentSample EnvironmentMap::sample(const Vec2& u) const {
     if (pdfPerWeight_ == 0) return {};
     const double target = static_cast<double>(u.y) * bands_.back();
-    // The last band that starts at or before the target, without branches.
-    int index = 0;
-    for (int count = image_->height + 1; count > 1;) {
-        const int half = count / 2;
-        index = bands_[static_cast<std::size_t>(index + half)] <= target ? index + half : index;
-        count -= half;
-    }
+    const int index = lastFrom(image_->height + 1, target, [&](int i) { return bands_[static_cast<std::size_t>(i)]; });
     const Band band = bandOf(index, image_->height);
     const double before = bands_[static_cast<std::size_t>(index)],
                  mass = bands_[static_cast<std::size_t>(index) + 1] - before,

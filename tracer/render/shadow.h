@@ -29,7 +29,7 @@ struct ShadowTarget {
     std::uint32_t shape;  ///< the light's own, which does not shadow itself; kNoShape: it has none
 };
 
-/// Share of light that comes along `ray` from the target. At most `passes` surfaces may be gone through. With `tinted`,
+/// Share of light that comes along `start` from the target; `around`: the media that it is in. At most `passes` surfaces may be gone through. With `tinted`,
 /// dielectrics let light pass unbent and only absorb (classic's transparent shadows).
 template <Features F>
 [[nodiscard]] Rgb shadowTransmittance(KernelState& state, const Ray& start, const MediaStack& around, const ShadowTarget& target, int passes, bool tinted) {

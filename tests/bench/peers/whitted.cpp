@@ -175,10 +175,10 @@ int compareWithPovray(const PeersOptions& options, const PeerScene& scene, Whitt
     for (const Setting* s : comparison.best()) {
         wall.push_back(comparison.ratio(*s, &Setting::wall));
         cpu.push_back(comparison.ratio(*s, &Setting::cpu));
-        std::printf("  %-16s relMSE %.2e  %.3f s (processor %.3f s): ratio %.2f, by processor time %.2f\n", s->name.c_str(), s->relMse, median(s->wall), median(s->cpu),
+        std::printf("  %-20s relMSE %.2e  %.3f s (processor %.3f s): ratio %.2f, by processor time %.2f\n", s->name.c_str(), s->relMse, median(s->wall), median(s->cpu),
                     wall.back(), cpu.back());
     }
-    for (const Setting& s : comparison.glint()) std::printf("  Glint to %-6s relMSE %.2e  %.3f s (processor %.3f s)\n", s.name.c_str(), s.relMse, median(s.wall), median(s.cpu));
+    for (const Setting& s : comparison.glint()) std::printf("  Glint to %-11s relMSE %.2e  %.3f s (processor %.3f s)\n", s.name.c_str(), s.relMse, median(s.wall), median(s.cpu));
     std::printf("  geometric mean %.2f, by processor time %.2f; pictures: mean %+.2f %%, rms %.2f %%\n", geometricMean(wall), geometricMean(cpu),
                 100 * (difference.meanRatio - 1), 100 * difference.rms);
     for (const std::string& note : comparison.notes()) std::printf("  note: %s\n", note.c_str());
