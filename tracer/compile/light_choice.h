@@ -23,7 +23,8 @@ struct LightAim {
     double cosBeyond = 0;      ///< 0: as the cosine, like a surface; above: only so far
 
     LightAim() = default;
-    LightAim(const DVec3& towards, double spreadAngle, double beyond) : axis(towards), spread(spreadAngle), cosSpread(std::cos(spreadAngle)), sinSpread(std::sin(spreadAngle)), cosBeyond(beyond) {}
+    LightAim(const DVec3& towards, double spreadAngle, double beyond)
+        : axis(towards), spread(spreadAngle), cosSpread(std::cos(spreadAngle)), sinSpread(std::sin(spreadAngle)), cosBeyond(beyond) {}
     [[nodiscard]] bool everywhere() const { return axis == DVec3(0.0); }
     /// At most what is sent, of 1, at the cosine of an angle to the axis, less an angle of this sine.
     [[nodiscard]] double sent(double cosine, double lessSine) const {

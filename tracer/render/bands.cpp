@@ -44,7 +44,7 @@ struct Whole {
         rendering.even = rendering.even && band.even && (first || band.spp == rendering.spp);
         rendering.threads = band.threads;
         rendering.seconds += band.seconds;
-        rendering.rays.primary += band.rays.primary, rendering.rays.shadow += band.rays.shadow, rendering.rays.scatter += band.rays.scatter;
+        rendering.rays += band.rays;
         rendering.work += band.work;
         rendering.kernel = band.kernel;
         rendering.nonfiniteSamples += band.nonfiniteSamples;

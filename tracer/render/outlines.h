@@ -29,8 +29,8 @@ class Outlines {
 
     /// Puts all pixels into the film, each by its one ray. Both: false when cancelled; then some pixels are put and some not.
     bool look(Film& film, WorkerPool& pool, const CancelToken& cancel, RenderCounts& counts);
-    /// After look(): refines pixels that err by more than their share. A further call takes twice as many rays at most for each. Pixels that err by more than their share after the
-    /// last one, or that few rays cannot tell at all, lose their samples.
+    /// After look(): refines pixels that err by more than their share. A further call takes twice as many rays at most for each. Pixels that
+    /// err by more than their share after the last one, or that few rays cannot tell at all, lose their samples.
     bool refine(Film& film, WorkerPool& pool, const CancelToken& cancel, RenderCounts& counts);
     /// refine() was called for the last time.
     [[nodiscard]] bool isDone() const { return calls_ == kMostCalls; }

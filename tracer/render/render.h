@@ -31,6 +31,10 @@ struct RayCounts {
     std::uint64_t primary = 0;  ///< one a sample, also where what it hits was known
     std::uint64_t shadow = 0, scatter = 0;
     [[nodiscard]] std::uint64_t total() const { return primary + shadow + scatter; }
+    RayCounts& operator+=(const RayCounts& other) {
+        primary += other.primary, shadow += other.shadow, scatter += other.scatter;
+        return *this;
+    }
 };
 
 /// The sample that shows a fault again: `glint-render SCENE --pixel x,y,sample`.

@@ -20,9 +20,7 @@ struct RenderCounts {
 
     /// What one worker has done.
     void add(const RayCounts& ofRays, const WorkCounts& ofWork) {
-        rays.primary += ofRays.primary;
-        rays.shadow += ofRays.shadow;
-        rays.scatter += ofRays.scatter;
+        rays += ofRays;
         work += ofWork;
     }
 };
