@@ -14,13 +14,16 @@ namespace glint {
 MissingAssets::MissingAssets(const Document& document, const Renderer& renderer, std::function<EnvironmentPicker&()> environment, MessageBar& messages, QObject* parent)
     : QObject(parent), document_(document), renderer_(renderer), environment_(std::move(environment)), messages_(messages) {
     connect(&renderer, &Renderer::frameReady, this, &MissingAssets::check);
+    connect(&document, &Document::changed, this, [this](const Scene& before) {
+        if (before.environment.image != document_.scene().environment.image) told_.clear();
+    });
 }
 
 void MissingAssets::check() {
-    const SessionFrame* frame = renderer_.frame();
-    if (!frame) return;
-    const auto missing = std::find_if(frame->warnings.begin(), frame->warnings.end(), [](const Error& warning) { return warning.pointer == "/environment/image"; });
-    if (missing == frame->warnings.end()) {
+    if (!renderer_.isCurrent()) return;  // What an older scene lacked says nothing of this one.
+    const std::vector<Error>& warnings = renderer_.frame()->warnings;
+    const auto missing = std::find_if(warnings.begin(), warnings.end(), [](const Error& warning) { return warning.pointer == "/environment/image"; });
+    if (missing == warnings.end()) {
         told_.clear();
         return;
     }

@@ -20,7 +20,7 @@ class MissingAssets : public QObject {
     MissingAssets(const Document& document, const Renderer& renderer, std::function<EnvironmentPicker&()> environment, MessageBar& messages, QObject* parent);
 
   private:
-    /// Once for each file: a person who dismissed the message is not told again at every edit.
+    /// Once for each choice of a file: a person who dismissed the message is not told again at every edit.
     void check();
 
     const Document& document_;

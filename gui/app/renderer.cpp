@@ -124,7 +124,7 @@ void Renderer::publishScene() {
             seen.objects.set(id, std::move(object));
         }
     view_.paint.display = displaySettings(scene);
-    session_->publish(std::move(seen), assetFolder_, view_);
+    published_ = session_->publish(std::move(seen), assetFolder_, view_);
 }
 
 void Renderer::publishView() {

@@ -27,6 +27,8 @@ class Renderer : public QObject {
     [[nodiscard]] const SessionFrame* frame() const { return frame_; }
     [[nodiscard]] bool isPaused() const { return paused_; }
     [[nodiscard]] Channel channel() const { return view_.paint.channel; }
+    /// Whether frame() shows what was asked for last; false while edits are on their way to the screen.
+    [[nodiscard]] bool isCurrent() const { return frame_ && frame_->revision == published_; }
     [[nodiscard]] bool isFiltered() const { return view_.paint.filtered; }
     /// As a part of the picture: 0 to 1 both ways.
     [[nodiscard]] const std::optional<QRectF>& region() const { return region_; }
@@ -76,6 +78,7 @@ class Renderer : public QObject {
     std::optional<Scene> compared_;
     ViewSettings view_;
     const SessionFrame* frame_ = nullptr;
+    std::uint64_t published_ = 0;  ///< revision of the scene that was published last
     std::filesystem::path assetFolder_;  ///< as published
     /// An event is on its way. Set by the session's thread, cleared on the GUI thread before it takes the frame; both
     /// acquire and release, so that a frame whose event was spared is seen by that take.
