@@ -26,7 +26,6 @@ using namespace test;
 
 namespace {
 
-constexpr int kPatienceMs = 30000;
 using State = ExportQueue::State;
 
 Scene lit() {
@@ -213,7 +212,7 @@ class ExportTest : public QObject {
         auto* dock = window_->findChild<QDockWidget*>("exports");
         dock->show();
         dock->raise();
-        QTRY_VERIFY(window_->findChild<QToolButton*>("exports.clear"));
+        QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QToolButton*>("exports.clear"), kPatienceMs);
         auto* pause = window_->findChild<QToolButton*>(QStringLiteral("exports.pause.%1").arg(first));
         QVERIFY(pause);
         QTest::mouseClick(pause, Qt::LeftButton);

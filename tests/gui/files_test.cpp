@@ -32,8 +32,6 @@ using std::chrono::milliseconds;
 namespace {
 
 constexpr milliseconds kQuick{200};
-constexpr int kPatienceMs = 20000;
-
 Scene numbered(const Scene& scene, int number) { return renamed(scene, kBall, "Ball " + std::to_string(number)); }
 
 /// The number of the last edit that a scene holds; 0 for none.
@@ -88,6 +86,12 @@ void keepCopies(MainWindow& window, const std::filesystem::path& folder, millise
     window.autosave().begin(folder);
 }
 
+bool hasCopies(const std::filesystem::path& recovery) {
+    std::error_code none;
+    const std::filesystem::directory_iterator files(recovery, none);
+    return std::any_of(begin(files), end(files), [](const auto& file) { return file.path().extension() == ".json"; });
+}
+
 /// Edits without end, saves now and then, and reports each edit with its time.
 int beVictim(const std::filesystem::path& folder) {
     const auto window = openWindow();
@@ -124,10 +128,7 @@ class FilesTest : public QObject {
         if (!original.empty()) window->files().saveTo(original);
         keepCopies(*window, recovery, milliseconds(0));
         window->document().edit(numbered(window->document().committed(), 7), "Rename");
-        const auto copies = [&] {
-            return std::count_if(std::filesystem::directory_iterator(recovery), std::filesystem::directory_iterator(), [](const auto& e) { return e.path().extension() == ".json"; });
-        };
-        [&] { QTRY_COMPARE(copies(), 1); }();
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(hasCopies(recovery), kPatienceMs); }();
         return recovery;
     }
 
@@ -139,15 +140,19 @@ class FilesTest : public QObject {
             std::filesystem::create_directory(folder);
             QProcess victim;
             victim.start(QCoreApplication::applicationFilePath(), {"--victim", pathText(folder)});
-            QVERIFY(victim.waitForReadyRead(kPatienceMs));
-            QTest::qWait(700 + static_cast<int>(random.bounded(900)));
+            QByteArray told;
+            const auto isUnderWay = [&] {
+                told += victim.readAllStandardOutput();
+                return told.count('\n') > 20 && hasCopies(folder / "recovery");
+            };
+            QTRY_VERIFY_WITH_TIMEOUT(isUnderWay(), kPatienceMs);
+            QTest::qWait(200 + static_cast<int>(random.bounded(1400)));
             victim.kill();
             QVERIFY(victim.waitForFinished());
             std::map<int, qint64> times;
             int last = 0;
-            for (const QByteArray& line : victim.readAllStandardOutput().split('\n'))
+            for (const QByteArray& line : (told + victim.readAllStandardOutput()).split('\n'))
                 if (const auto words = line.split(' '); words.size() == 2) times[last = words[0].toInt()] = words[1].toLongLong();
-            QVERIFY(last > 10);
 
             const auto saved = loadScene(folder / "scene.json");
             QVERIFY2(saved.ok(), qPrintable(pathText(folder / "scene.json")));
@@ -185,10 +190,10 @@ class FilesTest : public QObject {
         QVERIFY(window->windowTitle().contains("*"));
         QCOMPARE(numberIn(loadScene(original).value()), 0);
         // The old copy goes once this window has its own.
-        QTRY_VERIFY(window->autosave().leftovers().empty());
+        QTRY_VERIFY_WITH_TIMEOUT(window->autosave().leftovers().empty(), kPatienceMs);
         window->actions()["file.save"]->trigger();
         QCOMPARE(numberIn(loadScene(original).value()), 7);
-        QTRY_VERIFY(std::none_of(std::filesystem::directory_iterator(recovery), std::filesystem::directory_iterator(), [](const auto& e) { return e.path().extension() == ".json"; }));
+        QTRY_VERIFY_WITH_TIMEOUT(std::none_of(std::filesystem::directory_iterator(recovery), std::filesystem::directory_iterator(), [](const auto& e) { return e.path().extension() == ".json"; }), kPatienceMs);
     }
     void leftWorkCanBeDiscarded() {
         const auto recovery = abandonedWork({});
@@ -208,11 +213,11 @@ class FilesTest : public QObject {
         QVERIFY(second->autosave().leftovers().empty());
         first->document().edit(numbered(first->document().committed(), 1), "Rename");
         const auto copies = [&] { return std::distance(std::filesystem::directory_iterator(recovery), std::filesystem::directory_iterator()); };
-        QTRY_COMPARE(copies(), 4);  // Two locks, a copy and its origin.
+        QTRY_COMPARE_WITH_TIMEOUT(copies(), 4, kPatienceMs);  // Two locks, a copy and its origin.
         QVERIFY(second->autosave().leftovers().empty());
         // Undone: nothing to keep.
         first->document().undoStack().undo();
-        QTRY_COMPARE(copies(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(copies(), 2, kPatienceMs);
     }
     void assetsOfACopyStandWhereTheyAre() {
         QVERIFY(saveLinear(file("sky.exr"), evenPicture(1), {}).ok());
@@ -249,7 +254,7 @@ class FilesTest : public QObject {
         QVERIFY(window->document().isModified());
         QCOMPARE(formatScene(loadScene(file("full.json")).value()), before);
         click(window->messages(), "Save elsewhere…");
-        QTRY_VERIFY(window->findChild<QDialog*>());
+        QTRY_VERIFY_WITH_TIMEOUT(window->findChild<QDialog*>(), kPatienceMs);
         window->findChild<QDialog*>()->close();
         QVERIFY(window->files().saveTo(file("elsewhere.json")));
         QVERIFY(!window->document().isModified());
@@ -281,22 +286,22 @@ class FilesTest : public QObject {
         QTest::qWait(500);
         QVERIFY(!window->messages().isVisible());  // Its own save is no news.
         QVERIFY(saveScene(numbered(window->document().scene(), 5), file("watched.json")).ok());
-        QTRY_VERIFY(window->messages().isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(window->messages().isVisible(), kPatienceMs);
         click(window->messages(), "Reload");
-        QTRY_COMPARE(numberIn(window->document().scene()), 5);
+        QTRY_COMPARE_WITH_TIMEOUT(numberIn(window->document().scene()), 5, kPatienceMs);
     }
     void droppedSceneOpens() {
         QVERIFY(saveScene(numbered(smallScene(), 3), file("dropped.json")).ok());
         const auto window = openWindow();
         dropOn(window.get(), file("dropped.json"));
-        QTRY_COMPARE(window->document().file(), file("dropped.json"));
+        QTRY_COMPARE_WITH_TIMEOUT(window->document().file(), file("dropped.json"), kPatienceMs);
         QCOMPARE(window->files().recent().first(), pathText(file("dropped.json")));
     }
     void droppedPictureBecomesTheEnvironment() {
         QVERIFY(saveLinear(file("dropped.exr"), evenPicture(1), {}).ok());
         const auto window = openWindow();
         dropOn(window.get(), file("dropped.exr"));
-        QTRY_VERIFY(window->document().scene().environment.image.ends_with("dropped.exr"));
+        QTRY_VERIFY_WITH_TIMEOUT(window->document().scene().environment.image.ends_with("dropped.exr"), kPatienceMs);
         QCOMPARE(window->document().undoStack().count(), 1);
     }
     void aMissingEnvironmentIsNamedAndCanBeLeftOut() {

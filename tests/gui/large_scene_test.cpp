@@ -93,7 +93,7 @@ class LargeSceneTest : public QObject {
         QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
         const double inThread = busyMs([&] {
             window_->files().load(file);
-            QTRY_COMPARE(window_->document().scene().objects.size(), std::size_t(kObjects));
+            QTRY_COMPARE_WITH_TIMEOUT(window_->document().scene().objects.size(), std::size_t(kObjects), kPatienceMs);
         });
         report("open: the interface's thread", inThread, 1000);
         const double reading = busyMs([&] { QVERIFY(loadScene(file).ok()); });
@@ -132,7 +132,7 @@ class LargeSceneTest : public QObject {
             QTest::keyClicks(editor, "New");
             QTest::keyClick(editor, Qt::Key_Return);
         });
-        QTRY_COMPARE(nameOf(window_->document().scene(), item), std::string("New"));
+        QTRY_COMPARE_WITH_TIMEOUT(nameOf(window_->document().scene(), item), std::string("New"), kPatienceMs);
         report("rename: type and end", ms, 50);
         report("rename: undo", busyMs([&] { window_->actions()["edit.undo"]->trigger(); }), 50);
     }

@@ -22,8 +22,6 @@ using namespace test;
 
 namespace {
 
-constexpr int kPatienceMs = 30000;
-
 const MaterialPreset& presetNamed(const QString& name) {
     for (const MaterialPreset& preset : materialPresets())
         if (preset.name == name) return preset;

@@ -59,7 +59,7 @@ class ObjectListTest : public QObject {
         QTest::keyClicks(editor, "Marble");
         QTest::keyClick(editor, Qt::Key_Return);
         // The view takes the editor's text in the next event.
-        QTRY_COMPARE(nameOf(document.scene(), kBall), std::string("Marble"));
+        QTRY_COMPARE_WITH_TIMEOUT(nameOf(document.scene(), kBall), std::string("Marble"), kPatienceMs);
         document.undoStack().undo();
         QCOMPARE(nameOf(document.scene(), kBall), std::string("Ball"));
     }

@@ -20,7 +20,6 @@ using namespace test;
 
 namespace {
 
-constexpr int kPatienceMs = 30000;
 const std::filesystem::path kReport = std::filesystem::path(GLINT_SOURCE_DIR) / "scenes/report.json";
 
 /// Builds what a scene holds, one thing after another.
@@ -157,13 +156,13 @@ class ReportTest : public QObject {
         name->selectAll();
         QTest::keyClicks(name, pathText(file));
         QTest::keyClick(name, Qt::Key_Return);
-        QTRY_COMPARE(window->document().file(), file);
+        QTRY_COMPARE_WITH_TIMEOUT(window->document().file(), file, kPatienceMs);
         QVERIFY(!window->document().isModified());
 
         // Opened again: equal, but for the ids, which a file does not hold.
         const std::string text = formatScene(window->document().scene());
         window->files().load(file);
-        QTRY_VERIFY(!window->document().undoStack().canUndo());
+        QTRY_VERIFY_WITH_TIMEOUT(!window->document().undoStack().canUndo(), kPatienceMs);
         QCOMPARE(formatScene(window->document().scene()), text);
         QVERIFY(loadScene(file).value() == window->document().scene());
 

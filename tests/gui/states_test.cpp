@@ -25,8 +25,6 @@ using namespace test;
 
 namespace {
 
-constexpr int kPatienceMs = 30000;
-
 Scene litBall() {
     Scene scene = smallScene();
     scene.environment.color = Color{0.3, 0.3, 0.3};
@@ -143,7 +141,7 @@ class StatesTest : public QObject {
         waitForPicture();
         QVERIFY(!window_->status().text().contains("biased"));
         window_->findChild<QDockWidget*>("render")->raise();
-        QTRY_VERIFY(window_->findChild<DragNumber*>("render.clamp"));
+        QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<DragNumber*>("render.clamp"), kPatienceMs);
         auto* clamp = window_->findChild<DragNumber*>("render.clamp");
         type(clamp, "10");
         QTRY_VERIFY_WITH_TIMEOUT(window_->status().text().contains("biased"), kPatienceMs);

@@ -21,6 +21,9 @@ inline bool isLongRun() {
 #endif
 }
 
+/// How long a test waits for what must come: enough for a machine that does much else besides.
+constexpr int kPatienceMs = 120000;
+
 /// A scene with one object, one light and one material, with fixed ids 1.
 inline Scene smallScene() {
     Scene scene;

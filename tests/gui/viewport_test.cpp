@@ -19,8 +19,6 @@ using namespace test;
 
 namespace {
 
-constexpr int kPatienceMs = 20000;
-
 /// Two balls beside each other, a ring behind, seen from the front.
 Scene threeThings() {
     Scene scene = smallScene();

@@ -33,8 +33,6 @@ using namespace test;
 
 namespace {
 
-constexpr int kPatienceMs = 20000;
-
 /// The picture shows what the document holds: its middle shows (or no longer shows) an object.
 bool middleShows(MainWindow& window, bool object) {
     const QPointF middle = QRectF(window.view().rect()).center();
@@ -180,7 +178,7 @@ class WindowTest : public QObject {
         RenderView& view = window->view();
         QTest::mousePress(&view, Qt::RightButton, {}, {200, 200});
         QTest::keyPress(&view, Qt::Key_W);
-        QTRY_VERIFY(window->document().scene().camera.position.z < 5.8);
+        QTRY_VERIFY_WITH_TIMEOUT(window->document().scene().camera.position.z < 5.8, kPatienceMs);
         QCOMPARE(view.tools().tool, Tool::Select);  // W was the flight's, not the move tool's.
         QTest::keyRelease(&view, Qt::Key_W);
         QTest::mouseRelease(&view, Qt::RightButton, {}, {200, 200});
@@ -223,7 +221,7 @@ class WindowTest : public QObject {
         const Scene saved = window->document().scene();
         window->document().replace({}, {});
         window->files().load(file("saved.glint.json"));
-        QTRY_VERIFY(window->document().scene() == saved);
+        QTRY_VERIFY_WITH_TIMEOUT(window->document().scene() == saved, kPatienceMs);
         QCOMPARE(window->windowTitle(), QStringLiteral("saved.glint.json — Glint"));
         QCOMPARE(window->document().scene().objects.size(), scene.objects.size());
     }
@@ -235,7 +233,7 @@ class WindowTest : public QObject {
         MainWindow window(Memory::None, reading);
         QVERIFY(window.document().scene() == scene);
         window.show();
-        QTRY_COMPARE(window.windowTitle(), QStringLiteral("first.json — Glint"));
+        QTRY_COMPARE_WITH_TIMEOUT(window.windowTitle(), QStringLiteral("first.json — Glint"), kPatienceMs);
     }
     void dockIsFilledWhenItIsSeen() {
         const auto window = openWindow();
@@ -243,7 +241,7 @@ class WindowTest : public QObject {
         auto* dock = window->findChild<QDockWidget*>("render");
         QVERIFY(!dock->widget());
         dock->raise();
-        QTRY_VERIFY(dock->widget() && dock->widget()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(dock->widget() && dock->widget()->isVisible(), kPatienceMs);
     }
     void rowsKeepTheirHeightWhenASceneComes() {
         MainWindow window(Memory::None);
@@ -278,7 +276,7 @@ class WindowTest : public QObject {
         const Scene before = window->document().scene();
         write(file("broken.json"), text.toStdString());
         window->files().load(file("broken.json"));
-        QTRY_VERIFY(window->messages().isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(window->messages().isVisible(), kPatienceMs);
         QVERIFY(window->messages().text().contains("broken.json"));
         QVERIFY(window->document().scene() == before);
     }
@@ -286,14 +284,14 @@ class WindowTest : public QObject {
         const auto window = openWindow(lit(smallScene()));
         const Scene before = window->document().scene();
         window->files().load(file("nowhere.json"));
-        QTRY_VERIFY(window->messages().isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(window->messages().isVisible(), kPatienceMs);
         QVERIFY(window->document().scene() == before);
     }
     void partOfABadFileOpensAsUntitled() {
         const auto window = openWindow(lit(smallScene()));
         write(file("part.json"), R"({"glint": 1, "objects": [{"name": "Good", "shape": {"type": "sphere"}}, {"name": "Bad", "shape": {"type": "spher"}}]})");
         window->files().load(file("part.json"));
-        QTRY_VERIFY(window->messages().isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(window->messages().isVisible(), kPatienceMs);
         auto* open = window->messages().findChild<QPushButton*>();
         QVERIFY(open);
         QTest::mouseClick(open, Qt::LeftButton);
@@ -318,7 +316,7 @@ class WindowTest : public QObject {
             if (candidate->isVisible()) box = candidate;
         QVERIFY(box);
         QTest::mouseClick(box->button(QMessageBox::Discard), Qt::LeftButton);
-        QTRY_VERIFY(!window->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!window->isVisible(), kPatienceMs);
     }
     void exportWritesAPicture() {
         const auto window = openWindow(lit(smallScene()));
@@ -432,11 +430,11 @@ class WindowTest : public QObject {
         auto* objects = window->findChild<QDockWidget*>("objects");
         QCOMPARE(window->dockWidgetArea(objects), Qt::LeftDockWidgetArea);
         window->resize(800, 600);
-        QTRY_COMPARE(window->dockWidgetArea(objects), Qt::RightDockWidgetArea);
-        QTRY_VERIFY(window->view().width() >= 400);
-        QTRY_COMPARE(window->size(), QSize(800, 600));
+        QTRY_COMPARE_WITH_TIMEOUT(window->dockWidgetArea(objects), Qt::RightDockWidgetArea, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(window->view().width() >= 400, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(window->size(), QSize(800, 600), kPatienceMs);
         window->resize(1400, 900);
-        QTRY_COMPARE(window->dockWidgetArea(objects), Qt::LeftDockWidgetArea);
+        QTRY_COMPARE_WITH_TIMEOUT(window->dockWidgetArea(objects), Qt::LeftDockWidgetArea, kPatienceMs);
         QVERIFY(objects->isVisible());
     }
     void dockDoesNotGrowWithTheForm() {
@@ -456,7 +454,7 @@ class WindowTest : public QObject {
         auto* turn = window->environment().findChild<Dial*>("environment.dial");
         auto* sun = window->environment().findChild<Dial*>("environment.sun");
         QVERIFY(turn && sun);
-        QTRY_VERIFY(sun->isVisible() && sun->size() == sun->sizeHint());
+        QTRY_VERIFY_WITH_TIMEOUT(sun->isVisible() && sun->size() == sun->sizeHint(), kPatienceMs);
         const auto at = [](const Dial* dial, double right, double up) { return dial->rect().center() + QPoint(static_cast<int>(right * dial->width() / 2), -static_cast<int>(up * dial->height() / 2)); };
         Document& document = window->document();
         // From the top a quarter clockwise.
