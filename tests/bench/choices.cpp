@@ -40,8 +40,9 @@ struct Cutoff {
     static double lightWeight(double light, double bsdf) { return share(light, bsdf); }
     static double bsdfWeight(double bsdf, double light) { return share(bsdf, light); }
 };
-struct NoSplits : UsualEffort {
-    static constexpr bool kSplits = false;
+template <int kMost>
+struct Splits : UsualEffort {
+    static constexpr int kMostSplits = kMost;
 };
 struct NoConnections : UsualEffort {
     static constexpr bool kConnects = false;
@@ -82,7 +83,9 @@ constexpr std::array kWays = {
     Way{"weights", "cutoff 0.5", trace<Cutoff<50>>},
     Way{"weights", "cutoff 0.25", trace<Cutoff<25>>},
     Way{"lights", "one by power", trace<UsualHeuristic>, chooseByPower},
-    Way{"splitting", "none", trace<UsualHeuristic, NoSplits>},
+    Way{"splitting", "none", trace<UsualHeuristic, Splits<0>>},
+    Way{"splitting", "at the first", trace<UsualHeuristic, Splits<1>>},
+    Way{"splitting", "at the first two", trace<UsualHeuristic, Splits<2>>},
     Way{"caustics", "no connections", trace<UsualHeuristic, NoConnections>},
     Way{"highlights", "none", trace<UsualHeuristic, NoHighlights>},
     Way{"roulette", "below 1", trace<UsualHeuristic, Roulette<100>>},

@@ -160,7 +160,7 @@ TEST(Strategies, AllGiveTheSameMeanUnderALampThatIsPartlyClear) {  // A15
 
 // T23: what a path may cost changes no mean.
 struct NoSplitting : UsualEffort {
-    static constexpr bool kSplits = false;
+    static constexpr int kMostSplits = 0;
 };
 struct NoRoulette : UsualEffort {
     static constexpr float kDim = 0;

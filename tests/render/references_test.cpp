@@ -26,7 +26,7 @@ struct PowerHeuristic {
     static double bsdfWeight(double bsdf, double light) { return bsdf * bsdf / (light * light + bsdf * bsdf); }
 };
 struct NoEffort : UsualEffort {
-    static constexpr bool kSplits = false;
+    static constexpr int kMostSplits = 0;
     static constexpr float kDim = 0;
 };
 

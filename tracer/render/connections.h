@@ -31,7 +31,7 @@ struct ConnectionVertex {
     float smoothChance;
     int depth;
     std::uint32_t branch;
-    bool maySplit;
+    int splits;  ///< at so many dielectrics from here on a path follows both ways
 };
 
 /// Weight(pdf of the connection, pdf of the other way) shares a path; Add(Connection) takes what is found.
@@ -264,6 +264,7 @@ class Connections {
     [[nodiscard]] Rgb alongCaster(const Caster& caster, const Way& way, double& chance) {
         const CompiledMaterial& material = scene_.materials[scene_.shapes[caster.shape].material];
         Rgb out(1.0f);
+        int splits = vertex_.splits;
         DVec3 from = vertex_.point.position;
         for (int i = 0; i < way.meetings(); ++i) {
             const DVec3& point = way.points[static_cast<std::size_t>(i)];
@@ -273,7 +274,10 @@ class Connections {
                 if (!outside) out *= transmittance<F>(material.medium, length, state_.work);
             const Vec3 wo(static_cast<float>(std::sqrt(std::max(0.0, 1 - z * z))), 0, static_cast<float>(z));
             const Branches branches = deltaBranches(material, wo, outside ? 1 / material.medium.ior : material.medium.ior, state_.work);
-            if (!(i == 0 && vertex_.maySplit && branches.splits(material))) chance *= branches.chanceOf(material, wo, way.reflectsAt(i));
+            if (splits > 0 && branches.areTwo(material))
+                --splits;
+            else
+                chance *= branches.chanceOf(material, wo, way.reflectsAt(i));
             out *= branches.weightOf(wo, way.reflectsAt(i));
             from = point;
         }

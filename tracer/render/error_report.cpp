@@ -21,7 +21,7 @@ struct PowerHeuristic {
     static double bsdfWeight(double bsdf, double light) { return lightWeight(bsdf, light); }
 };
 struct PlainEffort : UsualEffort {
-    static constexpr bool kSplits = false;
+    static constexpr int kMostSplits = 0;
     static constexpr float kDim = 0.05f;
 };
 

@@ -81,8 +81,10 @@ struct Kernel {
 /// Block numbers of the sampler. A decision always uses the same block, whatever else a kernel skips, so that every kernel
 /// gives the same bits.
 enum class SampleUse : std::uint32_t { Camera = 0, Bsdf = 1, Light = 2, Caustic = 3 };
+constexpr int kSplitBits = 4;
+/// `branch`: of the path, below 2^kSplitBits.
 [[nodiscard]] inline std::uint32_t sampleBlock(SampleUse use, int depth, std::uint32_t branch, std::uint32_t index = 0) {
-    return static_cast<std::uint32_t>(use) + 4 * index + 256 * static_cast<std::uint32_t>(depth) + (branch << 28);
+    return static_cast<std::uint32_t>(use) + 4 * index + 256 * static_cast<std::uint32_t>(depth) + (branch << (32 - kSplitBits));
 }
 
 /// The camera ray of a sample.

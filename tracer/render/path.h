@@ -1,5 +1,5 @@
 // The `path` integrator: unidirectional path tracing with next-event estimation, multiple importance sampling by the balance
-// heuristic (Veach 1997, ch. 9) and Russian roulette. At the first smooth dielectric both ways are followed.
+// heuristic (Veach 1997, ch. 9) and Russian roulette. At the first smooth dielectrics both ways are followed.
 // Start reading at radiance(). Instantiated in kernels.cpp for sets of features; what a set lacks is not compiled.
 #pragma once
 
@@ -27,12 +27,6 @@ class PathTracer {
         ++state_.rays.primary;
         record([&](PathRecord& r) { first.vertex = r.leave(-1, PathEvent::Camera, Rgb(1.0f), 1); });
         follow(first);
-        if constexpr (has(F, Feature::Delta)) {
-            if (splitPending_) {
-                splitPending_ = false;
-                follow(split_);
-            }
-        }
         return sum_;
     }
 
@@ -186,7 +180,7 @@ class PathTracer {
         if constexpr (kHighlights)
             if (smoothChance > 0 && !scene_.highlights.empty()) addHighlights(path, point, material, smoothChance);
         if constexpr (has(F, Feature::Delta)) {
-            if (Effort::kSplits && path.maySplit && branches.splits(material)) return takeBoth(path, point, branches);
+            if (path.splits < Effort::kMostSplits && branches.areTwo(material)) return takeBoth(path, point, branches);
         }
         if (!lit) u = sampler_.block(own);
         const float choice = u.w * total;
@@ -223,15 +217,16 @@ class PathTracer {
         return survives(path);
     }
 
-    /// First dielectric: both ways, each with its whole weight, instead of a coin.
+    /// Both ways, each with its whole weight, instead of a coin: one to its end, then the other goes on.
     bool takeBoth(Path& path, const SurfacePoint& point, const Branches& branches) {
-        path.maySplit = false;
-        split_ = path;
-        split_.branch = 1;
-        split_.throughput *= branches.at[1].weight;
-        recordBranch(split_, point, branches.at[1], 1);
-        takeBranch(split_, point, branches.at[1], 1);
-        splitPending_ = survives(split_);
+        Path other = path;
+        other.branch += 1U << path.splits;
+        ++path.splits;
+        ++other.splits;
+        other.throughput *= branches.at[1].weight;
+        recordBranch(other, point, branches.at[1], 1);
+        takeBranch(other, point, branches.at[1], 1);
+        if (survives(other)) follow(other);
         path.throughput *= branches.at[0].weight;
         recordBranch(path, point, branches.at[0], 1);
         takeBranch(path, point, branches.at[0], 1);
@@ -346,7 +341,7 @@ class PathTracer {
     }
 
     [[gnu::noinline]] void addConnections(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance) {
-        const ConnectionVertex vertex{point, material, path.media, path.throughput, smoothChance, path.depth, path.branch, Effort::kSplits && path.maySplit};
+        const ConnectionVertex vertex{point, material, path.media, path.throughput, smoothChance, path.depth, path.branch, Effort::kMostSplits - path.splits};
         const auto weight = [](double light, double bsdf) { return Heuristic::lightWeight(light, bsdf); };
         const auto take = [&](const Connection& found) {
             sum_ += found.value;
@@ -418,8 +413,6 @@ class PathTracer {
     const RenderScene& scene_;
     const Sampler& sampler_;
     Rgb sum_{0.0f};
-    Path split_;
-    bool splitPending_ = false;
 };
 
 }  // namespace glint

@@ -2,6 +2,8 @@
 // in the place of; with what each gains (`glint-bench choices`).
 #pragma once
 
+#include "tracer/render/kernel.h"
+
 namespace glint {
 
 /// How the two ways to one light share its contribution (Veach 1997, sec. 9.2). Tests put others in its place.
@@ -15,9 +17,9 @@ struct BalanceHeuristic {
 
 /// How much a path may cost: changes noise and time, never the mean. Tests put others in its place.
 struct UsualEffort {
-    /// Both ways are followed at the first smooth dielectric, not one by chance. Efficiency without to that with it
-    /// (glint-bench choices --only splitting): 0.57 still_life, 0.82 cornell, 1.0 where there is no glass.
-    static constexpr bool kSplits = true;
+    /// Both ways are followed at up to so many smooth dielectrics, not one by chance. Efficiency with none and with one to that with
+    /// it (glint-bench choices --only splitting): TODO
+    static constexpr int kMostSplits = kSplitBits;
     /// Light is also looked for by way of perfect balls and faces, see connections.h. Efficiency without to that with it
     /// (glint-bench choices --only caustics): below 0.01 outdoor, 0.3 cornell, 0.85 still_life; 1.0 to 1.1 without caustics.
     static constexpr bool kConnects = true;

@@ -21,11 +21,11 @@ struct PathState {
     MediaStack passedLights;  ///< emissive surfaces passed straight since `from`: next-event estimation knows their nearest face only
     float etaScale = 1;       ///< undoes the eta^2 of refractions for the roulette
     int depth = 0;            ///< surface interactions so far
-    std::uint32_t branch = 0; ///< 1 behind a split, where the other way was taken
+    int splits = 0;           ///< those of them where both ways were followed
+    std::uint32_t branch = 0; ///< a bit for each split: whether the second way was taken
     bool allLights = false;   ///< at `from` every light was sampled, not a chosen one
     bool scattered = false;   ///< a smooth part has turned it
     bool straightFromCamera = true;
-    bool maySplit = true;
     LobeShares shares{};      ///< of the lobes by which light left the first surface (layers only)
     int bounces = 0;          ///< turns so far: interactions that did not let the path straight on (layers only)
     int vertex = -1;          ///< the record's (layers only)

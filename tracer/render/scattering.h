@@ -32,7 +32,7 @@ struct Branches {
         total += size(branch);
     }
     /// Both of two ways can be followed, and there is no other.
-    [[nodiscard]] bool splits(const CompiledMaterial& material) const { return count == 2 && material.smoothAlbedo == 0; }
+    [[nodiscard]] bool areTwo(const CompiledMaterial& material) const { return count == 2 && material.smoothAlbedo == 0; }
     /// Chance of a path that chooses among all ways, smooth ones too, to be reflected or, if not `reflects`, to go through bent.
     [[nodiscard]] double chanceOf(const CompiledMaterial& material, const Vec3& wo, bool reflects) const {
         float sum = 0;
