@@ -25,6 +25,10 @@ inline constexpr double kTieRange = 0x1p-26;
     return std::abs(height) <= kPlaceRounding * (coordinateSum(p) + coordinateSum(center));
 }
 
+/// Hits within this share of the coordinates may be of a surface that the ray starts on: who grazes
+/// more flatly than kPlaceRounding / kTouchRange is no case.
+inline constexpr double kTouchRange = 0x1p-16;
+
 /// The order in which a path meets surfaces that coincide, from either side: flat ones lie on top
 /// of others, and later ones on earlier ones; the higher comes first. Never 0.
 [[nodiscard]] constexpr std::uint64_t tieRank(std::uint32_t index, bool closed) {
@@ -111,14 +115,12 @@ template <class Shape>
 template <class Shape>
 [[nodiscard]] Crossing firstHitOf(const Placed<Shape>& placed, const Ray& ray, const DVec3& o,
                                   const DVec3& d, Start start) {
-    constexpr double kNear =
-        0x1p-16;  // Who grazes more flatly than kPlaceRounding / kNear is no case.
     const Crossing found = placed.shape.first(o, d, start);
     if (ray.fromShape == kNoShape || start != Start::Elsewhere) return found;
     if (ray.passed != 0)
         if (const std::optional<Crossing> hit = hitBehindPassed(placed, ray, o, d)) return *hit;
     const bool mayTouch =
-        found.t <= kNear * (coordinateSum(ray.origin) + coordinateSum(placed.center)) ||
+        found.t <= kTouchRange * (coordinateSum(ray.origin) + coordinateSum(placed.center)) ||
         isWithin(placed.shape, o);
     return mayTouch ? hitFromTouching(placed, ray, o, d, found) : found;
 }

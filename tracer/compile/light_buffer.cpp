@@ -68,7 +68,11 @@ void LightBuffer::addFace(int axis, double sign, const ShapeLists& lists) {
 }
 
 void LightBuffer::addCell(const RayBundle& bundle, const ShapeLists& lists) {
-    if (!lists.cull(bundle, cells_.emplace_back().emplace())) cells_.back().reset();
+    FewShapes few;
+    if (!lists.cull(bundle, few)) return cells_.push_back(kAny);
+    if (few.isEmpty()) return cells_.push_back(0);
+    cells_.push_back(static_cast<std::uint16_t>(few_.size()));
+    few_.push_back(std::move(few));
 }
 
 LightBuffers::LightBuffers(const LightTable& lights, const std::vector<ShapeInstance>& shapes,

@@ -27,15 +27,16 @@ class LightBuffer {
     LightBuffer(const LightPlace& place, const ShapeLists& lists, double reach);
 
     /// The shapes that rays between `p` and any part of the light can meet; null: it may be any.
-    [[nodiscard]] const FewShapes* between(const DVec3& p) const {
+    [[nodiscard, gnu::always_inline]] const FewShapes* between(const DVec3& p) const {
         const int index = place_.infinitelyFar ? farCell(p) : cell(p - place_.at);
         if (index < 0) return nullptr;
-        const std::optional<FewShapes>& few = cells_[static_cast<std::size_t>(index)];
-        return few ? &*few : nullptr;
+        const std::uint16_t few = cells_[static_cast<std::size_t>(index)];
+        return few != kAny ? &few_[few] : nullptr;
     }
 
   private:
     static constexpr int kSide = 8;  ///< cells along an edge of a face of the cube around a light
+    static constexpr std::uint16_t kAny = 0xffff;  ///< a cell from which any shape may be met
     static constexpr int kFarSide = 16;  ///< ... of the square before one infinitely far
     /// Rays to a light infinitely far away are followed from at most so many times the scene's
     /// reach before it.
@@ -47,13 +48,17 @@ class LightBuffer {
         return at < side ? static_cast<int>(std::max(at, 0.0)) : side - 1;
     }
     /// The cell that a vector from the light points to; -1: it has no direction.
-    [[nodiscard]] static int cell(const DVec3& to) {
-        const DVec3 size = glm::abs(to);
-        if (size.x >= size.y && size.x >= size.z) return size.x > 0 ? cell(0, to.x, to.y, to.z) : -1;
-        return size.y >= size.z ? cell(2, to.y, to.z, to.x) : cell(4, to.z, to.x, to.y);
-    }
-    [[nodiscard]] static int cell(int face, double along, double x, double y) {
-        const double scale = 1 / std::abs(along);
+    [[nodiscard, gnu::always_inline]] static int cell(const DVec3& to) {
+        const double sizeX = std::abs(to.x), sizeY = std::abs(to.y), sizeZ = std::abs(to.z);
+        int face = 4;
+        double along = to.z, size = sizeZ, x = to.x, y = to.y;
+        if (sizeX >= sizeY && sizeX >= sizeZ) {
+            if (!(sizeX > 0)) return -1;
+            face = 0, along = to.x, size = sizeX, x = to.y, y = to.z;
+        } else if (sizeY >= sizeZ) {
+            face = 2, along = to.y, size = sizeY, x = to.z, y = to.x;
+        }
+        const double scale = 1 / size;
         face += along < 0 ? 1 : 0;
         return (face * kSide + column(y * scale, kSide)) * kSide + column(x * scale, kSide);
     }
@@ -69,7 +74,8 @@ class LightBuffer {
     LightPlace place_;
     double reach_;
     DVec3 across_{0.0}, up_{0.0};  ///< infinitely far: the square's axes
-    std::vector<std::optional<FewShapes>> cells_;
+    std::vector<FewShapes> few_{1};     ///< the first is empty
+    std::vector<std::uint16_t> cells_;  ///< which of these, or kAny
 };
 
 /// The buffers of all lights that have one. Copies share them.
@@ -80,8 +86,11 @@ class LightBuffers {
                  const ShapeLists& lists);
 
     /// See LightBuffer; for the light of that index.
-    [[nodiscard]] const FewShapes* between(std::uint32_t light, const DVec3& p) const {
-        return light < of_.size() && of_[light] ? of_[light]->between(p) : nullptr;
+    [[nodiscard, gnu::always_inline]] const FewShapes* between(std::uint32_t light,
+                                                               const DVec3& p) const {
+        if (of_.empty()) return nullptr;
+        const std::optional<LightBuffer>& buffer = of_[light];
+        return buffer ? buffer->between(p) : nullptr;
     }
 
   private:
@@ -90,7 +99,7 @@ class LightBuffers {
     /// A light of more than this share of the scene's reach sees most shapes from everywhere.
     static constexpr double kMostRadius = 0.25;
 
-    SharedList<std::optional<LightBuffer>> of_;  ///< by index of the light
+    SharedList<std::optional<LightBuffer>> of_;  ///< by index of the light; or empty
 };
 
 }  // namespace glint

@@ -67,24 +67,6 @@ LightSample sampleArea(const CompiledLight& light, const ShapeInstance& shape, c
     return meet(light, shape, ray, media, s.pdf);
 }
 
-LightSample samplePoint(const CompiledLight& light, const DVec3& from) {
-    const DVec3 to = light.position - from;
-    const double distance2 = glm::dot(to, to);
-    if (!(distance2 > 0)) return {};
-    const double distance = std::sqrt(distance2);
-    const DVec3 wi = to * (1 / distance);
-    Rgb irradiance = toFloat(light.intensity * (1 / distance2));
-    if (light.kind == LightKind::Spot) {
-        const float cosine = static_cast<float>(-glm::dot(wi, light.direction));
-        if (cosine <= light.cosOuter) return {};
-        if (cosine < light.cosInner) {
-            const float x = (cosine - light.cosOuter) / (light.cosInner - light.cosOuter);
-            irradiance *= x * x * (3 - 2 * x);
-        }
-    }
-    return {wi, distance, irradiance, 1.0};
-}
-
 /// Wider than the spot by what its cosines in float and the sums of angles may be wrong.
 LightAim aimOfSpot(const CompiledLight& spot) {
     constexpr double kMargin = 1e-6;
@@ -116,6 +98,14 @@ LightBounds boundsOf(const CompiledLight& light, const CompiledEnvironment& envi
 
 }  // namespace
 
+float spotShare(const CompiledLight& spot, const DVec3& wi) {
+    const float cosine = static_cast<float>(-glm::dot(wi, spot.direction));
+    if (cosine <= spot.cosOuter) return 0;
+    if (cosine >= spot.cosInner) return 1;
+    const float x = (cosine - spot.cosOuter) / (spot.cosInner - spot.cosOuter);
+    return x * x * (3 - 2 * x);
+}
+
 double ballRadius(const ShapeInstance& shape) {
     if (!std::holds_alternative<CanonicalSphere>(shape.shape)) return 0;
     const DMat3& m = shape.worldFromLocal;
@@ -138,9 +128,9 @@ LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstanc
     const CompiledLight& light = lights.lights[index];
     switch (light.kind) {
         case LightKind::Point:
-        case LightKind::Spot: return samplePoint(light, from.origin);
+        case LightKind::Spot: return sampleDelta(light, from.origin);
         case LightKind::Sun: {
-            if (light.sin2Angle == 0) return {light.direction, kInfinity, light.emission, 1.0};
+            if (light.isDelta()) return sampleDelta(light, from.origin);
             const DirectionSample s = uniformCone(light.direction, light.sin2Angle, u);
             return {s.direction, kInfinity, light.emission, s.pdf};
         }

@@ -85,6 +85,22 @@ struct LightTable {
 /// Radius of a shape that is a ball in render space; 0 for any other.
 [[nodiscard]] double ballRadius(const ShapeInstance& shape);
 
+/// The share of a spot's intensity that goes into the unit direction `wi`, which is towards it.
+[[nodiscard]] float spotShare(const CompiledLight& spot, const DVec3& wi);
+
+/// Light at `from` from one that isDelta(). Inline: classic asks for every light at every hit.
+[[nodiscard]] inline LightSample sampleDelta(const CompiledLight& light, const DVec3& from) {
+    if (light.kind == LightKind::Sun) return {light.direction, kInfinity, light.emission, 1.0};
+    const DVec3 to = light.position - from;
+    const double distance2 = glm::dot(to, to);
+    if (!(distance2 > 0)) return {};
+    const double distance = std::sqrt(distance2), inverse = 1 / distance;
+    const DVec3 wi = to * inverse;
+    Rgb irradiance = toFloat(light.intensity * (inverse * inverse));
+    if (light.kind == LightKind::Spot) irradiance *= spotShare(light, wi);
+    return {wi, distance, irradiance, 1.0};
+}
+
 /// Light from `lights.lights[index]` at the start of `from` (its direction is not used); the media are the ones `from` is in.
 [[nodiscard]] LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index,
                                       const Ray& from, const MediaStack& media, const DVec2& u);

@@ -19,6 +19,9 @@ enum class Fit {
     Miss    ///< not finite, or without direction: meets only what it is known to be in
 };
 
+/// In a plane's own space: so high that isWithin() surely says no.
+constexpr double kAbovePlane = 1e-300;
+
 /// x rounded up to float, also where floats below 1.2e-38 are flushed to 0.
 float roundUp(double x) { return static_cast<float>(x * (1 + 1e-7)); }
 
@@ -160,6 +163,7 @@ double ShapeLists::tieOrderOf(const ShapeHit& hit, const Ray& ray) const {
 /// Flattened: a call within costs as much as the sphere itself.
 [[gnu::flatten]] inline Crossing ShapeLists::firstHit(const Ball& ball, const Ray& ray,
                                                       Start start) {
+    if (start == Start::Leaving) return {};
     const DVec3 o = (ray.origin - ball.center) * ball.inverseRadius,
                 d = ray.direction * ball.inverseRadius;
     const CanonicalSphere sphere;
@@ -168,9 +172,31 @@ double ShapeLists::tieOrderOf(const ShapeHit& hit, const Ray& ray) const {
                       o, d, start);
 }
 
-[[gnu::noinline]] Crossing ShapeLists::firstHit(const Entry& entry, const Ray& ray, Start start) {
-    // As the shape itself would say; of most shadow rays this is all that there is to say of it.
+/// What firstHitOf() says of a plane, told in a few steps, for a ray that starts well above it.
+inline std::optional<Crossing> ShapeLists::fromAbove(const Entry& plane, const Ray& ray,
+                                                     Start start) {
+    if (ray.passed != 0 || start == Start::Entering || start == Start::KnownInside) return {};
+    const DMat3& m = plane.localFromWorld;
+    const DVec3 up(m[0].y, m[1].y, m[2].y), from = ray.origin - plane.center;
+    const double height = glm::dot(up, from), rise = glm::dot(up, ray.direction);
+    if (!(height > kAbovePlane)) return {};
+    if (rise >= 0) return Crossing{};
+    const double t = -height / rise;
+    const double place = coordinateSum(ray.origin) + coordinateSum(plane.center);
+    return t > kTouchRange * place ? std::optional(Crossing{t}) : std::nullopt;
+}
+
+/// Shadow rays mostly leave a convex shape, or go upwards from a plane.
+[[gnu::always_inline]] inline Crossing ShapeLists::firstHit(const Entry& entry, const Ray& ray,
+                                                            Start start) {
     if (start == Start::Leaving && entry.convex) return {};
+    if (entry.isPlane)
+        if (const std::optional<Crossing> known = fromAbove(entry, ray, start)) return *known;
+    return firstHitOfAny(entry, ray, start);
+}
+
+[[gnu::noinline]] Crossing ShapeLists::firstHitOfAny(const Entry& entry, const Ray& ray,
+                                                     Start start) {
     const DVec3 o = entry.localFromWorld * (ray.origin - entry.center),
                 d = entry.localFromWorld * ray.direction;
     return std::visit(
@@ -212,13 +238,20 @@ template <class Question>
 }
 
 template <class Question, class List>
-void ShapeLists::decideEach(const Asking& asking, Question& question, const List& list) {
+[[gnu::always_inline]] inline void ShapeLists::decideEach(const Asking& asking, Question& question,
+                                                          const List& list) {
     for (const auto& shape : list) {
         if (question.done()) break;
         if (shape.index == kNoShape) continue;
         asking.count(shape);
         question.decide(shape, asking.ray, asking.start(shape));
     }
+}
+
+template <class Question>
+[[gnu::noinline]] void ShapeLists::decideAll(const Asking& asking, Question& question) const {
+    decideEach(asking, question, balls_);
+    decideEach(asking, question, boxes_);
 }
 
 /// The filter knows nothing of where a ray starts, so shapes whose answer depends on it come first.
@@ -326,11 +359,10 @@ template <class Question>
     const Fit fit = unfiltered_                ? Fit::Unfit
                     : few && few->isEmpty() ? Fit::Miss
                                             : prepare(ray, reach_, coordinates, filterRay, asking.length);
-    if (fit == Fit::Unfit) {
-        decideEach(asking, question, balls_);
-        return decideEach(asking, question, boxes_);
-    }
-    if (ray.fromShape != kNoShape || !media.empty()) decideKnown(asking, question);
+    if (fit == Fit::Unfit) return decideAll(asking, question);
+    const bool startsOnListed =
+        ray.fromShape < slotOf_.size() && slotOf_[ray.fromShape] != kNoShape;
+    if (startsOnListed || !media.empty()) decideKnown(asking, question);
     if (fit == Fit::Miss || question.done()) return;
     return single ? askBlocks<Coordinates::Single>(asking, question, filterRay, few)
                   : askBlocks<Coordinates::Pairs>(asking, question, filterRay, few);

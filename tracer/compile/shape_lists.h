@@ -171,7 +171,7 @@ class ShapeLists {
         DMat3 localFromWorld;
         CanonicalShape shape;
         std::uint32_t index = kNoShape;
-        bool dielectric, convex;
+        bool dielectric, convex, isPlane;
     };
     enum class Kind { Ball, Box, Always };
     struct Asking;
@@ -184,6 +184,8 @@ class ShapeLists {
 
     static Crossing firstHit(const Ball& ball, const Ray& ray, Start start);
     static Crossing firstHit(const Entry& entry, const Ray& ray, Start start);
+    static Crossing firstHitOfAny(const Entry& entry, const Ray& ray, Start start);
+    static std::optional<Crossing> fromAbove(const Entry& plane, const Ray& ray, Start start);
     static Kind kindOf(const ShapeInstance& instance);
     [[nodiscard]] Kind kindOf(std::uint32_t slot) const;
     static Ball ballOf(const ShapeInstance& instance, std::uint32_t index);
@@ -214,6 +216,8 @@ class ShapeLists {
              const FewShapes* few) const;
     template <class Question, class List>
     static void decideEach(const Asking& asking, Question& question, const List& list);
+    template <class Question>
+    void decideAll(const Asking& asking, Question& question) const;
     template <class Question>
     void decideKnown(Asking& asking, Question& question) const;
     template <class Question, class Block, class Kernel, class SlotOf>

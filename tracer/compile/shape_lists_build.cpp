@@ -160,7 +160,8 @@ ShapeLists::Entry ShapeLists::entryOf(const ShapeInstance& instance, std::uint32
     const bool convex =
         std::visit([]<class Shape>(const Shape&) { return Shape::convex; }, instance.shape);
     return {instance.center, instance.localFromWorld, instance.shape,
-            index,           instance.dielectric,     convex};
+            index,           instance.dielectric,     convex,
+            std::holds_alternative<CanonicalPlane>(instance.shape)};
 }
 
 void ShapeLists::sortByKind(const std::vector<ShapeInstance>& instances) {

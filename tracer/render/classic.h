@@ -70,8 +70,8 @@ class ClassicTracer {
         return (p.x > 0 ? 1u : 0u) + (p.y > 0 ? 2u : 0u) + (p.z > 0 ? 4u : 0u) + (p.x * p.x + p.z * p.z > 1 ? 8u : 0u);
     }
 
-    /// Adds the light that arrives along the branch.
-    void trace(Branch branch) {
+    /// Adds the light that arrives along the branch, which is followed and so changed.
+    void trace(Branch& branch) {
         if (state_.stop()) return;
         const ShapeHit hit = hitOf<F>(state_, branch.ray, branch.media, branch.depth);
         if constexpr (has(F, Feature::Media))
@@ -132,39 +132,46 @@ class ClassicTracer {
 
     /// Light straight from every source but the environment.
     void addDirect(const Branch& branch, const SurfacePoint& point, const CompiledMaterial& material) {
-        const Ray from{point.position, point.frame.n, point.shape, !point.outside};
-        for (std::uint32_t i = 0; i < scene_.lights.lights.size(); ++i) {
+        const std::vector<CompiledLight>& lights = scene_.lights.lights;
+        for (std::uint32_t i = 0; i < lights.size(); ++i) {
             if (i == scene_.lights.environmentLight) continue;
-            DVec2 u(0.0);
-            if (!scene_.lights.lights[i].isDelta()) {
-                const SampleBlock block = sampler_.block(sobol::mix(branch.key) ^ sampleBlock(SampleUse::Light, 0, 0, i));
-                u = {block.x, block.y};
-            }
             ++state_.work[Work::LightSamples];
-            const LightSample s = sampleLight(scene_.lights, scene_.shapes, i, from, branch.media, u);
+            const LightSample s = lights[i].isDelta() ? sampleDelta(lights[i], point.position) : sampleSized(branch, point, i);
             if (!(s.pdf > 0) || isBlack(s.radiance)) continue;
             const Vec3 wi = toFloat(point.frame.toLocal(s.wi));
-            const BsdfSample f = evalSmooth<F>(material, point.wo, wi, point.eta, state_.work);
-            if (isBlack(f.f)) {
+            const Rgb f = smoothValue<F>(material, point.wo, wi, point.eta, state_.work);
+            if (isBlack(f)) {
                 if constexpr (!has(F, Feature::NoSkips)) continue;
                 ++state_.work[Work::BlackShadowRays];
             }
             const Ray ray = point.ray(s.wi, wi.z < 0);
             const Rgb share = shadowTransmittance<F>(state_, ray, mediaBeyond<F>(state_, point, branch.media, wi), {i, s.distance, s.shape},
                                                      scene_.settings.maxDepth - branch.depth - 1, scene_.settings.transparentShadows);
-            if (isBlack(share) && !isBlack(f.f)) follow(branch, 0x80000000u + i);
-            const Rgb value = branch.weight * f.f * s.radiance * share * static_cast<float>(std::abs(wi.z) / s.pdf);
-            add(branch, PathLight::Kind::Direct, scene_.lights.lights[i].group, value, i, share);
+            if (isBlack(share) && !isBlack(f)) follow(branch, 0x80000000u + i);
+            const float cosine = std::abs(wi.z);
+            const Rgb value = branch.weight * f * s.radiance * share * (s.pdf == 1 ? cosine : static_cast<float>(static_cast<double>(cosine) / s.pdf));
+            add(branch, PathLight::Kind::Direct, lights[i].group, value, i, share);
         }
+    }
+
+    /// A place on a light that has a size.
+    [[nodiscard, gnu::noinline]] LightSample sampleSized(const Branch& branch, const SurfacePoint& point, std::uint32_t light) const {
+        const SampleBlock u = sampler_.block(sobol::mix(branch.key) ^ sampleBlock(SampleUse::Light, 0, 0, light));
+        const Ray from{point.position, point.frame.n, point.shape, !point.outside};
+        return sampleLight(scene_.lights, scene_.shapes, light, from, branch.media, {u.x, u.y});
     }
 
     /// The delta branches, and for rough lobes the perfect ones that they are near to.
     void reflectAndRefract(const Branch& branch, const SurfacePoint& point, const CompiledMaterial& material) {
-        const Branches delta = deltaBranches(material, point.wo, point.eta, state_.work), perfect = perfectBranches(material, point);
-        for (int i = 0; i < delta.count; ++i) {
-            const DeltaBranch& way = delta.at[static_cast<std::size_t>(i)];
-            follow(branch, point, way, i, branch.seesLights || !way.straight);
+        if (has(F, Feature::NoSkips) || material.hasDelta) {
+            const Branches delta = deltaBranches(material, point.wo, point.eta, state_.work);
+            for (int i = 0; i < delta.count; ++i) {
+                const DeltaBranch& way = delta.at[static_cast<std::size_t>(i)];
+                follow(branch, point, way, i, branch.seesLights || !way.straight);
+            }
         }
+        if (!has(F, Feature::Rough) || !material.isRough) return;
+        const Branches perfect = perfectBranches(material, point);
         for (int i = 0; i < perfect.count; ++i)
             follow(branch, point, perfect.at[static_cast<std::size_t>(i)], Branches::kCapacity + i, false);
     }

@@ -103,6 +103,15 @@ template <Features F>
     return out;
 }
 
+/// Sum of the smooth leaves' f alone.
+template <Features F>
+[[nodiscard]] inline Rgb smoothValue(const CompiledMaterial& material, const Vec3& wo, const Vec3& wi, float eta, WorkCounts& work) {
+    Rgb out(0.0f);
+    for (const WeightedLeaf& weighted : material.leaves)
+        withSmoothLeaf<F>(weighted.leaf, work, [&](const auto& leaf) { out += weighted.weight * leaf.eval(wo, wi, eta); });
+    return out;
+}
+
 /// A direction from the mixture of the smooth leaves. `u`: three numbers for the leaf, one to choose it, all in [0, 1).
 template <Features F>
 [[nodiscard]] BsdfSample sampleSmooth(const CompiledMaterial& material, const Vec3& wo, const Vec3& u, float choice, float eta, WorkCounts& work) {

@@ -8,7 +8,7 @@ namespace glint {
 
 /// The media of a ray that leaves `point` in the local direction `wi`.
 template <Features F>
-[[nodiscard]] MediaStack mediaBeyond(KernelState& state, const SurfacePoint& point, const MediaStack& media, const Vec3& wi) {
+[[nodiscard, gnu::always_inline]] inline MediaStack mediaBeyond(KernelState& state, const SurfacePoint& point, const MediaStack& media, const Vec3& wi) {
     MediaStack out = media;
     if constexpr (has(F, Feature::Media))
         if (point.instance(state.scene).dielectric && (wi.z > 0) != point.outside) {
@@ -29,23 +29,11 @@ struct ShadowTarget {
     std::uint32_t shape;  ///< the light's own, which does not shadow itself; kNoShape: it has none
 };
 
-/// Share of light that comes along `start` from the target; `around`: the media that it is in. At most `passes` surfaces may be gone through. With `tinted`,
-/// dielectrics let light pass unbent and only absorb (classic's transparent shadows).
+/// shadowTransmittance() up to tMax where some surfaces let light pass; `few`: the shapes that may be met.
 template <Features F>
-[[nodiscard]] Rgb shadowTransmittance(KernelState& state, const Ray& start, const MediaStack& around, const ShadowTarget& target, int passes, bool tinted) {
+[[nodiscard, gnu::noinline]] Rgb transmittanceThrough(KernelState& state, const Ray& start, const MediaStack& around, std::uint32_t light, double tMax,
+                                                      const FewShapes* few, int passes, bool tinted) {
     const RenderScene& scene = state.scene;
-    const std::uint32_t light = target.shape;
-    double tMax = target.distance;
-    const FewShapes* few = has(F, Feature::NoSkips) ? nullptr : scene.lightBuffers.between(target.light, start.origin);
-    // What a lamp lies flush with does not shadow it.
-    if (light != kNoShape) tMax -= kLampRange * (tMax + coordinateSum(start.origin));
-    ++state.rays.shadow;
-    const bool opaque = !has(F, Feature::NoSkips) && !has(scene.features, Feature::Straight);
-    if ((!has(F, Feature::Straight) || opaque) && !tinted) {
-        if (scene.lists->occluded(start, around, tMax, light, state.work, few)) return Rgb(0.0f);
-        if constexpr (has(F, Feature::Media)) return transmittance<F>(mediumOf(scene, fillingShape(scene, around)), tMax, state.work);
-        return Rgb(1.0f);
-    }
     Ray ray = start;
     MediaStack media = around;
     Rgb share(1.0f);
@@ -76,6 +64,23 @@ template <Features F>
         tMax -= hit.t;
         ray = point.ray(ray.direction, point.outside);
     }
+}
+
+/// Share of light that comes along `start` from the target; `around`: the media that it is in. At most `passes` surfaces may be gone through. With `tinted`,
+/// dielectrics let light pass unbent and only absorb (classic's transparent shadows).
+template <Features F>
+[[nodiscard, gnu::always_inline]] inline Rgb shadowTransmittance(KernelState& state, const Ray& start, const MediaStack& around, const ShadowTarget& target, int passes, bool tinted) {
+    const RenderScene& scene = state.scene;
+    double tMax = target.distance;
+    const FewShapes* few = has(F, Feature::NoSkips) ? nullptr : scene.lightBuffers.between(target.light, start.origin);
+    // What a lamp lies flush with does not shadow it.
+    if (target.shape != kNoShape) tMax -= kLampRange * (tMax + coordinateSum(start.origin));
+    ++state.rays.shadow;
+    const bool opaque = !has(F, Feature::NoSkips) && !has(scene.features, Feature::Straight);
+    if ((has(F, Feature::Straight) && !opaque) || tinted) return transmittanceThrough<F>(state, start, around, target.shape, tMax, few, passes, tinted);
+    if (scene.lists->occluded(start, around, tMax, target.shape, state.work, few)) return Rgb(0.0f);
+    if constexpr (has(F, Feature::Media)) return transmittance<F>(mediumOf(scene, fillingShape(scene, around)), tMax, state.work);
+    return Rgb(1.0f);
 }
 
 }  // namespace glint
