@@ -252,6 +252,7 @@ class Compiler {
         }
         instance.worldFromLocal = linear;
         instance.localFromWorld = localFromWorld->linear;
+        instance.normalScale = 1 / glm::length(localFromWorld->linear[0]);
         instance.center = world.translation - out_->origin;
         const auto material = materialIndex_.find(object.material);
         instance.material = material == materialIndex_.end() ? black_ : material->second;

@@ -32,6 +32,8 @@ struct ShapeInstance {
     DMat3 localFromWorld{1.0};
     DMat3 worldFromLocal{1.0};
     DVec3 center{0.0};           ///< of local space, in render space
+    double normalScale = 1;      ///< makes unit normals times localFromWorld unit again, where all
+                                 ///< axes have one scale
     std::uint32_t material = 0;  ///< index into RenderScene::materials
     std::uint32_t light = ~0u;   ///< index into LightTable::lights, ~0: does not emit
     ObjectId object;

@@ -22,6 +22,18 @@ inline constexpr Medium kVacuum{};
     return shape == kNoShape ? kVacuum : scene.materials[scene.shapes[shape].material].medium;
 }
 
+/// The shapes whose media meet where a path in `media` crosses the boundary of `shape`.
+struct BoundarySides {
+    std::uint32_t here, there;
+};
+[[nodiscard]] inline BoundarySides sidesOf(const RenderScene& scene, const MediaStack& media, std::uint32_t shape) {
+    if (media.empty()) return {kNoShape, shape};
+    if (media.size() == 1 && media[0] == shape) return {shape, kNoShape};
+    MediaStack beyond = media;
+    beyond.cross(shape);
+    return {fillingShape(scene, media), fillingShape(scene, beyond)};
+}
+
 /// Share of light left after `distance` metres: exp(-absorption * distance), also where that is infinite.
 template <Features F>
 [[nodiscard]] Rgb transmittance(const Medium& medium, double distance, WorkCounts& work) {
@@ -54,7 +66,7 @@ struct SurfacePoint {
     /// The normal on wo's side.
     [[nodiscard]] DVec3 facingNormal() const { return outside ? frame.n : -frame.n; }
     /// A ray that starts here in the local direction `wi`.
-    [[nodiscard]] Ray ray(const Vec3& wi) const { return ray(glm::normalize(frame.toWorld(wi)), wi.z < 0); }
+    [[nodiscard]] Ray ray(const Vec3& wi) const { return ray(renormalize(frame.toWorld(wi)), wi.z < 0); }
     /// A ray that starts here in a direction of render space, inwards or outwards.
     [[nodiscard]] Ray ray(const DVec3& direction, bool inwards) const { return {position, direction, shape, inwards, inwards != outside, inwards == outside ? rank : 0}; }
 };
@@ -66,7 +78,7 @@ struct SurfacePoint {
     SurfacePoint out;
     out.shape = hit.shape;
     out.face = hit.face;
-    const DVec3 raw = instance.localPoint(ray.origin) + hit.t * instance.localVector(ray.direction);
+    const DVec3 raw = instance.localVector(ray.origin - instance.center + hit.t * ray.direction);
     DVec3 local, localNormal;
     std::visit(
         [&]<class Shape>(const Shape& shape) {
@@ -76,7 +88,7 @@ struct SurfacePoint {
         },
         instance.shape);
     out.position = instance.center + instance.worldFromLocal * local;
-    out.frame = Frame(glm::normalize(localNormal * instance.localFromWorld));  // (M^-1)^T n
+    out.frame = Frame(renormalize(instance.normalScale * (localNormal * instance.localFromWorld)));  // (M^-1)^T n
     DVec3 wo = out.frame.toLocal(-ray.direction);
     out.outside = wo.z > 0;
     if (instance.dielectric) {
@@ -85,11 +97,9 @@ struct SurfacePoint {
         out.outside = !media.contains(hit.shape);
         constexpr double kLeast = 0x1p-53;  // one rounding of a unit vector
         wo.z = std::copysign(std::max(std::abs(wo.z), kLeast), out.outside ? 1.0 : -1.0);
-        MediaStack beyond = media;
-        beyond.cross(hit.shape);
-        const std::uint32_t here = fillingShape(scene, media), there = fillingShape(scene, beyond);
-        out.hidden = here == there;
-        out.eta = mediumOf(scene, here).ior / mediumOf(scene, there).ior;
+        const BoundarySides sides = sidesOf(scene, media, hit.shape);
+        out.hidden = sides.here == sides.there;
+        out.eta = mediumOf(scene, sides.here).ior / mediumOf(scene, sides.there).ior;
     } else if (!media.empty()) {
         out.eta = mediumOf(scene, fillingShape(scene, media)).ior;
     }

@@ -33,7 +33,7 @@ struct CanonicalSphere {
     }
     [[nodiscard]] bool inside(const DVec3& p) const { return glm::dot(p, p) < 1; }
     [[nodiscard]] int nearestFace(const DVec3&) const { return 0; }
-    [[nodiscard]] DVec3 project(const DVec3& p, int) const { return p / glm::length(p); }
+    [[nodiscard]] DVec3 project(const DVec3& p, int) const { return p * (1 / glm::length(p)); }
     [[nodiscard]] DVec3 normal(const DVec3& p, int) const { return p; }
     /// Derivative of normal() by p, along the surface.
     [[nodiscard]] DMat3 normalSlope(const DVec3&, int) const { return DMat3(1.0); }
