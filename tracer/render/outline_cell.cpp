@@ -7,7 +7,7 @@ namespace glint {
 
 namespace {
 
-double distanceOf(const Rgb& a, const Rgb& b) { return static_cast<double>(luminance(glm::abs(a - b))); }
+double distanceOf(const Rgb& a, const Rgb& b) { return static_cast<double>(lightOf(a - b)); }
 
 double cross2(const DVec2& a, const DVec2& b) { return a.x * b.y - a.y * b.x; }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -12,6 +13,9 @@
 #include "tracer/color/rgb.h"
 
 namespace glint {
+
+/// Luminance of a difference, each channel by its size. Not by glm::abs(), whose branches guess signs wrong.
+[[nodiscard]] inline float lightOf(const Rgb& difference) { return luminance(Rgb(std::abs(difference.r), std::abs(difference.g), std::abs(difference.b))); }
 
 /// What one ray through a point found.
 struct Probe {

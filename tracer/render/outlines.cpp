@@ -23,8 +23,6 @@ constexpr double kDimShare = 0.6;
 /// What the curvature told by neighbours is wrong by.
 constexpr float kCurvatureError = 0.5f;
 
-float lightOf(const Rgb& difference) { return luminance(glm::abs(difference)); }
-
 }  // namespace
 
 struct alignas(64) Outlines::Worker {
@@ -144,16 +142,19 @@ void Outlines::lookAt(Worker& worker, int x, int y) {
 /// What the middles of the pixel and its neighbours tell of it.
 void Outlines::putMiddle(Film& film, int x, int y) {
     Pixel& pixel = at(x, y);
+    const Pixel* const here = &pixel;
     const Probe& own = pixel.middle;
     pixel.step = 0;
     pixel.isSmooth = true;
-    const int left = std::max(rect_.x, x - 1), right = std::min(rect_.x + rect_.width - 1, x + 1);
-    for (int v = std::max(rect_.y, y - 1); v <= std::min(rect_.y + rect_.height - 1, y + 1); ++v)
-        for (const Pixel *other = &at(left, v), *last = &at(right, v); other <= last; ++other)
-            if (other->middle.trail != own.trail || other->middle.doubt < 0) {
-                pixel.step = std::max(pixel.step, lightOf(other->middle.value - own.value));
-                pixel.isSmooth = false;
-            }
+    const std::ptrdiff_t left = x > rect_.x ? -1 : 0, right = x + 1 < rect_.x + rect_.width ? 1 : 0;
+    const std::ptrdiff_t above = y > rect_.y ? -rect_.width : 0, below = y + 1 < rect_.y + rect_.height ? rect_.width : 0;
+    const auto compare = [&](std::ptrdiff_t place) {
+        const Probe& other = here[place].middle;
+        if (other.trail == own.trail && !(other.doubt < 0)) return;
+        pixel.step = std::max(pixel.step, lightOf(other.value - own.value));
+        pixel.isSmooth = false;
+    };
+    for (const std::ptrdiff_t row : {above, std::ptrdiff_t{0}, below}) compare(row + left), compare(row), compare(row + right);
     const Rgb beyond = beyondMiddle(x, y);
     const float unsure = pixel.isSmooth ? kCurvatureError * lightOf(beyond) : kEdgeError * pixel.step, doubt = std::max(own.doubt, 0.0f);
     pixel.error = std::sqrt(unsure * unsure + doubt * doubt);
@@ -166,8 +167,9 @@ Rgb Outlines::beyondMiddle(int x, int y) const {
     Rgb out(0.0f);
     const Pixel* pixel = &at(x, y);
     const Probe& own = pixel->middle;
-    for (const auto& [hasBoth, stride] : {std::pair{x > rect_.x && x + 1 < rect_.x + rect_.width, 1}, {y > rect_.y && y + 1 < rect_.y + rect_.height, rect_.width}}) {
-        if (!hasBoth) continue;
+    const bool hasColumns = x > rect_.x && x + 1 < rect_.x + rect_.width, hasRows = y > rect_.y && y + 1 < rect_.y + rect_.height;
+    for (const std::ptrdiff_t stride : {hasColumns ? 1 : 0, hasRows ? rect_.width : 0}) {
+        if (stride == 0) continue;
         const Probe &before = pixel[-stride].middle, &after = pixel[stride].middle;
         const bool isBefore = before.trail == own.trail, isAfter = after.trail == own.trail;
         if (isBefore && isAfter) out += (before.value + after.value - 2.0f * own.value) * (1.0f / 24);

@@ -8,8 +8,9 @@ namespace {
 
 /// Of one pixel's luminance, from its halves: their difference has twice the spread of their mean.
 double standardError(const FilmPixel& pixel) {
-    const double countB = pixel.samples / 2, countA = pixel.samples - countB;
-    const DVec3 difference = pixel.sumA / countA - pixel.sumB / countB;
+    const std::uint32_t countB = pixel.samples / 2, countA = pixel.samples - countB;
+    const double shareB = 1.0 / countB, shareA = countA == countB ? shareB : 1.0 / countA;
+    const DVec3 difference = shareA * pixel.sumA - shareB * pixel.sumB;
     return 0.5 * std::abs(luminance(Color{difference.x, difference.y, difference.z}));
 }
 
@@ -50,7 +51,8 @@ void ErrorSum::add(const FilmPixel& pixel) {
     const double error = standardError(pixel);
     squares += error * error;
     fourths += error * error * error * error;
-    light += static_cast<double>(luminance(pixel.mean()));
+    const DVec3 sum = pixel.sumA + pixel.sumB;
+    light += luminance(Color{sum.x, sum.y, sum.z}) / pixel.samples;
     ++pixels;
 }
 
@@ -105,9 +107,11 @@ bool findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, const
             for (int y = row * kErrorTile; y < std::min(height, (row + 1) * kErrorTile); ++y)
                 for (int x = column * kErrorTile; x < std::min(width, (column + 1) * kErrorTile); ++x) {
                     const FilmPixel pixel = film.at(x, y);
-                    tile.add(pixel);
+                    ErrorSum one;
+                    one.add(pixel);
+                    tile.add(one);
                     if (x < rect.x || x >= rect.x + rect.width || y < rect.y || y >= rect.y + rect.height) continue;
-                    own.inRect.add(pixel);
+                    own.inRect.add(one);
                     own.samples += pixel.samples;
                     own.least = std::min(own.least, pixel.samples);
                 }
