@@ -61,6 +61,7 @@ constexpr std::array kKernels = {
     path<kLayers>("path: layers"),
     path<kNoSkips>("path: no skips"),
     classic<kMirrors>("classic: mirrors"),
+    classic<kGlass>("classic: glass"),
     classic<kLayers>("classic: layers"),
     classic<kAllFeatures>("classic: all"),
     classic<kNoSkips>("classic: no skips"),
