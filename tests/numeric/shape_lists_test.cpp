@@ -267,6 +267,22 @@ TEST(ShapeLists, HierarchiesAnswerAsTheLoop) {
     compareScenes(30000, 20, 4);
 }
 
+/// Walks of trees of that size look ahead.
+TEST(ShapeLists, HierarchiesBeyondTheCacheAnswerAsTheLoop) {
+    const SceneKind kinds[] = {
+        {.name = "balls", .ballsOnly = true},
+        {.name = "far balls", .ballsOnly = true, .at = DVec3(1e9, -3e8, 2e7)},
+    };
+    for (const SceneKind& kind : kinds) {
+        Random random(5);
+        const std::vector<ShapeInstance> shapes = makeShapes(kind, 500000, random);
+        const std::vector<Subject> subjects = makeSubjects(shapes);
+        for (const Subject& s : subjects)
+            EXPECT_GT(s.lists.blockCounts().total() / kBlockSize, kCachedNodes) << kind.name;
+        if (!compareQueries(kind, shapes, subjects, 20, random, kind.name)) return;
+    }
+}
+
 /// One shape is dragged, step by step; then all move.
 TEST(ShapeLists, RefittedHierarchiesAnswerAsTheLoop) {
     for (const SceneKind& kind : kKinds) {

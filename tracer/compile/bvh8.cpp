@@ -60,6 +60,7 @@ class Builder {
         const bool parallel = threads > 1 && shapes_.size() >= kParallelFrom;
         grow(parallel ? threads : 1);
         addNode(0);
+        topFirst();
         return std::move(out_);
     }
 
@@ -284,6 +285,32 @@ class Builder {
         std::uint32_t& blocks = node.balls ? ballBlocks_ : boxBlocks_;
         GLINT_CHECK(blocks < kMostBlocks);
         return leafChild(node.balls, blocks++, node.count);
+    }
+
+    /// Moves about kTopNodes, level by level, in front of the others, which keep their order.
+    void topFirst() {
+        const LargeVector<Node8>& from = out_.nodes;
+        if (from.size() <= kCachedNodes) return;
+        const auto below = [&](std::uint32_t node, const auto& use) {
+            for (std::size_t i = 0; i < kBlockSize && from[node].has(i); ++i)
+                if (!(from[node].child[i] & kLeafBit)) use(from[node].child[i]);
+        };
+        std::vector<std::uint32_t> order{0};
+        for (std::size_t i = 0; order.size() < kTopNodes; ++i)
+            below(order[i], [&](std::uint32_t child) { order.push_back(child); });
+        std::vector<bool> isTop(from.size());
+        for (const std::uint32_t node : order) isTop[node] = true;
+        for (std::uint32_t node = 0; node < from.size(); ++node)
+            if (!isTop[node]) order.push_back(node);
+        std::vector<std::uint32_t> newOf(from.size());
+        for (std::uint32_t i = 0; i < order.size(); ++i) newOf[order[i]] = i;
+        LargeVector<Node8> to(from.size());
+        for (std::uint32_t i = 0; i < order.size(); ++i) {
+            to[i] = from[order[i]];
+            for (std::uint32_t& child : to[i].child)
+                if (!(child & kLeafBit)) child = newOf[child];
+        }
+        out_.nodes = std::move(to);
     }
 
     std::span<BoundedShape> shapes_;

@@ -215,11 +215,10 @@ HWY_INLINE void prefetch(const BlockTree<kCoordinates>& tree, std::uint32_t chil
     prefetch<sizeof(BallBlock<kCoordinates>)>(tree.balls + block);
 }
 
-/// Puts the children that are hit on the stack, the nearest on top.
+/// Puts the children that are hit on the stack, the nearest on top of all from `base` on.
 template <Coordinates kCoordinates>
 HWY_INLINE Waiting* pushHits(const BlockTree<kCoordinates>& tree, const Node8& node, std::uint32_t hits,
-                             const float* tNear, Waiting* top) {
-    Waiting* const base = top;
+                             const float* tNear, Waiting* base, Waiting* top) {
     for (; hits != 0; hits &= hits - 1) {
         const auto i = static_cast<std::uint32_t>(std::countr_zero(hits));
         const Waiting added = Waiting::of(tNear[i], node.child[i]);
@@ -248,7 +247,30 @@ HWY_INLINE float visitLeaf(const Block& block, std::uint32_t first, std::uint32_
     return decide(query, found, count);
 }
 
+/// Puts the children of a node that the ray meets on the stack.
 template <Coordinates kCoordinates>
+HWY_INLINE Waiting* visitNode(const BlockTree<kCoordinates>& tree, std::uint32_t index,
+                              const FilterRay& ray, const NodeRay& walk, PlaneTimes& times,
+                              float limit, Waiting* base, Waiting* top) {
+    alignas(64) float tNear[kBlockSize];
+    const Node8& node = tree.nodes[index];
+    if constexpr (kCoordinates == Coordinates::Pairs)
+        for (int axis = 0; axis < 3; ++axis)
+            times.set(ray, walk, axis,
+                      (ray.originHi[axis] - node.cornerHi[axis]) +
+                          (ray.originLo[axis] - node.cornerLo[axis]));
+    const std::uint32_t hits = testNode<kCoordinates>(node, times, walk, limit, tNear);
+    return pushHits(tree, node, hits, tNear, base, top);
+}
+
+/// Whether a node is visited ahead of the child before it: one that the cache may not hold.
+HWY_INLINE bool isWorthAhead(const Waiting& second, float limit) {
+    return !(second.child() & kLeafBit) && second.child() >= kTopNodes && second.tNear() <= limit;
+}
+
+enum class Ahead { No, Yes };
+
+template <Coordinates kCoordinates, Ahead kAhead>
 WalkCounts walkTree(const BlockTree<kCoordinates>& tree, const FilterRay& ray, DecideLeaf decide,
                     void* query) {
     RayLanes lanes = spread(ray);
@@ -265,7 +287,8 @@ WalkCounts walkTree(const BlockTree<kCoordinates>& tree, const FilterRay& ray, D
         walk.nearPlane[axis] = std::signbit(d) ? axis + 3 : axis;
         walk.farPlane[axis] = std::signbit(d) ? axis : axis + 3;
     }
-    Waiting stack[7 * kMaxTreeDepth + 8];
+    // Each level leaves up to 7 children waiting, or 15 of two nodes that were visited at once.
+    Waiting stack[kAhead == Ahead::Yes ? 15 * kMaxTreeDepth + 16 : 7 * kMaxTreeDepth + 8];
     Waiting* top = stack;
     *top++ = Waiting::of(0, 0);
     WalkCounts counts;
@@ -273,6 +296,12 @@ WalkCounts walkTree(const BlockTree<kCoordinates>& tree, const FilterRay& ray, D
         const Waiting next = *--top;
         if (next.tNear() > limit) continue;
         const std::uint32_t child = next.child();
+        Waiting* base = top;
+        if (kAhead == Ahead::Yes && top != stack && isWorthAhead(top[-1], limit)) {
+            base = --top;
+            ++counts.nodes;
+            top = visitNode(tree, base->child(), ray, walk, times, limit, base, top);
+        }
         if (child & kLeafBit) {
             const std::uint32_t block = blockOf(child), first = kBlockSize * block,
                                 shapes = shapesOf(child);
@@ -289,16 +318,8 @@ WalkCounts walkTree(const BlockTree<kCoordinates>& tree, const FilterRay& ray, D
             if (limit < 0) return counts;
             lanes.limit = hn::Set(kTag, limit);
         } else {
-            alignas(64) float tNear[kBlockSize];
-            const Node8& node = tree.nodes[child];
             ++counts.nodes;
-            if constexpr (kCoordinates == Coordinates::Pairs)
-                for (int axis = 0; axis < 3; ++axis)
-                    times.set(ray, walk, axis,
-                               (ray.originHi[axis] - node.cornerHi[axis]) +
-                                   (ray.originLo[axis] - node.cornerLo[axis]));
-            const std::uint32_t hits = testNode<kCoordinates>(node, times, walk, limit, tNear);
-            top = pushHits(tree, node, hits, tNear, top);
+            top = visitNode(tree, child, ray, walk, times, limit, base, top);
         }
     }
     return counts;
@@ -309,7 +330,7 @@ WalkCounts walkTree(const BlockTree<kCoordinates>& tree, const FilterRay& ray, D
 template <Coordinates kCoordinates>
 BlockKernels<kCoordinates> kernels() {
     return {hwy::TargetName(HWY_TARGET), scan<BallBlock<kCoordinates>>, scan<BoxBlock<kCoordinates>>,
-            walkTree<kCoordinates>};
+            walkTree<kCoordinates, Ahead::No>, walkTree<kCoordinates, Ahead::Yes>};
 }
 BlockKernels<Coordinates::Single> singleKernels() { return kernels<Coordinates::Single>(); }
 BlockKernels<Coordinates::Pairs> pairsKernels() { return kernels<Coordinates::Pairs>(); }

@@ -316,10 +316,10 @@ template <Coordinates kCoordinates, class Question>
     };
     ray.limit = roundUp(question.limit() * asking.length);
     const auto& blocks = *std::get_if<Blocks<kCoordinates>>(&blocks_);
+    const auto kernel = nodes_.size() > kCachedNodes ? blocks.kernels.walkAhead : blocks.kernels.walk;
     const WalkCounts counts =
-        blocks.kernels.walk({nodes_.data(), blocks.balls.data(), blocks.boxes.data(), ballSlots_,
-                             balls_.data()},
-                            ray, decideLeaf, &walk);
+        kernel({nodes_.data(), blocks.balls.data(), blocks.boxes.data(), ballSlots_, balls_.data()},
+               ray, decideLeaf, &walk);
     asking.work[Work::NodeVisits] += counts.nodes;
     asking.work[Work::BallBlocks] += counts.ballBlocks;
     asking.work[Work::BoxBlocks] += counts.boxBlocks;
