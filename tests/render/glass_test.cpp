@@ -69,7 +69,7 @@ SceneBuilder slab(double n, double absorption, double wallZ, double turn) {
     b.scene().objects.set(id, wall);
     b.camera({0, 0, 5}, {0, 0, 0}, 0.001);
     b.scene().render.maxDepth = 1000;
-    b.film(16, 16, 1024);
+    b.film(32, 32, 1024);
     return b;
 }
 
