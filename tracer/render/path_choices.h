@@ -17,8 +17,9 @@ struct BalanceHeuristic {
 
 /// How much a path may cost: changes noise and time, never the mean. Tests put others in its place.
 struct UsualEffort {
-    /// Both ways are followed at up to so many smooth dielectrics, not one by chance. Efficiency with none and with one to that with
-    /// it (glint-bench choices --only splitting): TODO
+    /// Both ways are followed at a path's first smooth dielectrics, up to so many, not one by chance. Efficiency with none and with one
+    /// to that with it (glint-bench choices --only splitting): 0.83 and 0.83 glass_study, 0.78 and 0.84 cornell, 0.75 and 1.00
+    /// still_life, 0.54 and 1.01 outdoor, 0.01 and 0.03 glass_in_sun; 1.00 to 1.02 where there is no glass.
     static constexpr int kMostSplits = kSplitBits;
     /// Light is also looked for by way of perfect balls and faces, see connections.h. Efficiency without to that with it
     /// (glint-bench choices --only caustics): below 0.01 outdoor, 0.3 cornell, 0.85 still_life; 1.0 to 1.1 without caustics.
