@@ -32,6 +32,7 @@ using std::chrono::milliseconds;
 namespace {
 
 constexpr milliseconds kQuick{200};
+
 Scene numbered(const Scene& scene, int number) { return renamed(scene, kBall, "Ball " + std::to_string(number)); }
 
 /// The number of the last edit that a scene holds; 0 for none.
@@ -86,10 +87,11 @@ void keepCopies(MainWindow& window, const std::filesystem::path& folder, millise
     window.autosave().begin(folder);
 }
 
-bool hasCopies(const std::filesystem::path& recovery) {
+/// Of scenes with unsaved work, in a folder that need not be there yet.
+std::ptrdiff_t copiesIn(const std::filesystem::path& recovery) {
     std::error_code none;
     const std::filesystem::directory_iterator files(recovery, none);
-    return std::any_of(begin(files), end(files), [](const auto& file) { return file.path().extension() == ".json"; });
+    return std::count_if(begin(files), end(files), [](const auto& file) { return file.path().extension() == ".json"; });
 }
 
 /// Edits without end, saves now and then, and reports each edit with its time.
@@ -128,7 +130,7 @@ class FilesTest : public QObject {
         if (!original.empty()) window->files().saveTo(original);
         keepCopies(*window, recovery, milliseconds(0));
         window->document().edit(numbered(window->document().committed(), 7), "Rename");
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(hasCopies(recovery), kPatienceMs); }();
+        [&] { QTRY_COMPARE_WITH_TIMEOUT(copiesIn(recovery), 1, kPatienceMs); }();
         return recovery;
     }
 
@@ -143,7 +145,7 @@ class FilesTest : public QObject {
             QByteArray told;
             const auto isUnderWay = [&] {
                 told += victim.readAllStandardOutput();
-                return told.count('\n') > 20 && hasCopies(folder / "recovery");
+                return told.count('\n') > 20 && copiesIn(folder / "recovery") > 0;
             };
             QTRY_VERIFY_WITH_TIMEOUT(isUnderWay(), kPatienceMs);
             QTest::qWait(200 + static_cast<int>(random.bounded(1400)));
@@ -153,6 +155,7 @@ class FilesTest : public QObject {
             int last = 0;
             for (const QByteArray& line : (told + victim.readAllStandardOutput()).split('\n'))
                 if (const auto words = line.split(' '); words.size() == 2) times[last = words[0].toInt()] = words[1].toLongLong();
+            QVERIFY(last > 10);
 
             const auto saved = loadScene(folder / "scene.json");
             QVERIFY2(saved.ok(), qPrintable(pathText(folder / "scene.json")));
@@ -193,7 +196,7 @@ class FilesTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(window->autosave().leftovers().empty(), kPatienceMs);
         window->actions()["file.save"]->trigger();
         QCOMPARE(numberIn(loadScene(original).value()), 7);
-        QTRY_VERIFY_WITH_TIMEOUT(std::none_of(std::filesystem::directory_iterator(recovery), std::filesystem::directory_iterator(), [](const auto& e) { return e.path().extension() == ".json"; }), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(copiesIn(recovery), 0, kPatienceMs);
     }
     void leftWorkCanBeDiscarded() {
         const auto recovery = abandonedWork({});

@@ -81,6 +81,7 @@ struct Kernel {
 /// Block numbers of the sampler. A decision always uses the same block, whatever else a kernel skips, so that every kernel
 /// gives the same bits.
 enum class SampleUse : std::uint32_t { Camera = 0, Bsdf = 1, Light = 2, Caustic = 3 };
+/// So many splits of a path have a bit of their own in its block numbers.
 constexpr int kSplitBits = 4;
 /// `branch`: of the path, below 2^kSplitBits.
 [[nodiscard]] inline std::uint32_t sampleBlock(SampleUse use, int depth, std::uint32_t branch, std::uint32_t index = 0) {
