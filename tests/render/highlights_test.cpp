@@ -123,6 +123,7 @@ TEST(HighlightsTable, LeavesOutASkyWithSunsOnOppositeSides) {
     const test::TempFolder folder;
     SceneBuilder b;
     b.object(Sphere{1}, b.material(Metal{grey(0.9), 0.2}), {0, 1, 0});
+    b.object(Plane{}, b.material(Diffuse{grey(0.5)}));
     for (const int suns : {1, 2}) {
         Image sky{64, 32, std::vector<float>(64 * 32 * 3, 0.0f)};
         for (int i = 0; i < suns; ++i)
@@ -132,6 +133,28 @@ TEST(HighlightsTable, LeavesOutASkyWithSunsOnOppositeSides) {
         b.scene().environment.image = file.string();
         EXPECT_EQ(b.compile()->highlights.empty(), suns == 2);
     }
+}
+
+TEST(HighlightsTable, IsNotKeptForWhatTheyHardlyLight) {
+    for (const double apart : {0.8, 40.0}) {
+        SceneBuilder b;
+        b.object(Sphere{0.2}, b.material(Metal{grey(0.9), 0.2}), {0, 0.2, 0});
+        b.object(Box{{1, 1, 1}}, b.material(Diffuse{grey(0.5)}), {apart, 0.5, 0});
+        b.pointLight({0, 4, 0}, grey(9));
+        EXPECT_EQ(b.compile()->highlights.empty(), apart > 1) << apart;
+    }
+}
+
+TEST(HighlightsTable, CountsALampByItsShareOfAllLight) {
+    SceneBuilder b;
+    b.object(Sphere{0.7}, b.material(Metal{grey(0.9), 0.2}), {0, 0.7, 0});
+    b.object(Plane{}, b.material(Diffuse{grey(0.5)}));
+    b.pointLight({0, 4, 0}, grey(9));
+    EXPECT_FALSE(b.compile()->highlights.empty());
+    b.pointLight({30, 40, 0}, grey(9e3));
+    const auto scene = b.compile();
+    ASSERT_EQ(scene->highlights.lights.size(), 2u);
+    EXPECT_LT(scene->highlights.worthOfAll[0], 0.01 * scene->highlights.worthOfAll[1]);
 }
 
 TEST(HighlightsNoise, IsAFractionOfThatOfLuck) {

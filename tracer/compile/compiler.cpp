@@ -122,10 +122,12 @@ class Compiler {
         addLights();
         addEnvironment();
         out_->lights.finish(out_->shapes);
-        out_->casters = makeCasters(out_->shapes, out_->materials, out_->lights);
-        out_->highlights = makeHighlights(out_->shapes, out_->materials, out_->lights);
-        ++compiled_.stats.lightTablesBuilt;
         out_->settings = scene_.render;
+        if (scene_.render.integrator == Integrator::Path) {
+            out_->casters = makeCasters(out_->shapes, out_->materials, out_->lights);
+            out_->highlights = makeHighlights(out_->shapes, out_->materials, out_->lights);
+        }
+        ++compiled_.stats.lightTablesBuilt;
         out_->lightGroups = groups_.count();
         addLists();
         addLightBuffers();
@@ -424,6 +426,8 @@ class Compiler {
             add(Feature::SampledSky, light.kind == LightKind::Environment || (light.kind == LightKind::Sun && !light.isDelta()));
         }
         add(Feature::Sky, !out_->lights.environment.isBlack());
+        add(Feature::Casters, !out_->casters.empty());
+        add(Feature::Highlights, !out_->highlights.empty());
     }
 
     void warnOfSettings() {

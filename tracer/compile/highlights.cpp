@@ -64,6 +64,21 @@ double highlightSolidAngle(const GlossySurface& surface, const HighlightLight& l
 /// Wider highlights are found well enough by the surfaces' own directions [sr].
 constexpr double kSharp = 0.03;
 
+/// Highlights tried at a shape, in the mean over shapes (up to 64 of them), by a path that carries half of the camera's light.
+double usualTries(const HighlightTable& table, const std::vector<ShapeInstance>& shapes) {
+    constexpr std::size_t kShapes = 64;
+    const std::size_t stride = (shapes.size() + kShapes - 1) / kShapes;
+    double tries = 0;
+    int places = 0;
+    for (std::size_t i = 0; i < shapes.size(); i += stride, ++places)
+        for (const HighlightLight& light : table.lights)
+            for (const GlossySurface& surface : table.surfaces)
+                if (surface.shape != i) tries += table.pickProbability(light) * table.chance(surface, light, shapes[i].center, 0.5f);
+    return tries / places;
+}
+/// Where fewer are tried, asking for them costs 4 to 11 % of the time and brings less; where more are, they bring up to 48 % of it.
+constexpr double kLeastTries = 0.01;
+
 /// Eye and light as a flat face sees them: from the eye mirrored in it, the light's lobe.
 struct FlatView {
     DVec3 normal{0.0}, mirrored{0.0};
@@ -137,6 +152,8 @@ const HighlightLight* HighlightTable::findLight(std::uint32_t light) const {
 HighlightTable makeHighlights(const std::vector<ShapeInstance>& shapes, const std::vector<CompiledMaterial>& materials, const LightTable& lights) {
     HighlightTable out;
     std::vector<double> powers;
+    double allPower = 0;
+    for (const CompiledLight& light : lights.lights) allPower += light.power;
     for (std::uint32_t i = 0; i < lights.lights.size(); ++i) {
         HighlightLight entry{i};
         if (!(lights.lights[i].power > 0) || !describe(lights.lights[i], lights, shapes, entry)) continue;
@@ -148,7 +165,10 @@ HighlightTable makeHighlights(const std::vector<ShapeInstance>& shapes, const st
     for (std::uint32_t i = 0; i < shapes.size(); ++i) {
         if (shapes[i].dielectric) continue;
         const Gloss gloss = glossOf(materials[shapes[i].material]);
-        if (gloss.strength > 0) out.surfaces.push_back({i, gloss.alpha, gloss.strength, shapes[i].center, glm::length(shapes[i].halfSize())});
+        if (!(gloss.strength > 0)) continue;
+        // Points of tori take longer to find than their highlights are worth elsewhere: efficiency 1.8 times that of 1 on torus_field.
+        const float ease = std::holds_alternative<CanonicalTorus>(shapes[i].shape) ? 1.0f / 12 : 1.0f;
+        out.surfaces.push_back({i, gloss.alpha, ease * gloss.strength, shapes[i].center, glm::length(shapes[i].halfSize())});
     }
     if (out.surfaces.empty()) return {};
     std::stable_sort(out.surfaces.begin(), out.surfaces.end(), [](const GlossySurface& a, const GlossySurface& b) { return a.reach > b.reach; });
@@ -157,11 +177,12 @@ HighlightTable makeHighlights(const std::vector<ShapeInstance>& shapes, const st
     for (std::uint32_t i = 0; i < out.surfaces.size(); ++i) out.surfaceOf[out.surfaces[i].shape] = i;
     for (const HighlightLight& light : out.lights) {
         // One of many lights makes few of the bright spots, and one light is looked for at a time.
-        const double share = std::min(1.0, 2 * out.pickProbability(light));
+        const double share = std::min(1.0, 2 * lights.lights[light.light].power / allPower);
         for (const GlossySurface& surface : out.surfaces)
             out.worth.push_back(share * static_cast<double>(surface.strength) * std::min(1.0, kSharp / highlightSolidAngle(surface, light)));
         out.worthOfAll.push_back(std::accumulate(out.worth.end() - static_cast<std::ptrdiff_t>(out.surfaces.size()), out.worth.end(), 0.0));
     }
+    if (usualTries(out, shapes) < kLeastTries) return {};
     return out;
 }
 

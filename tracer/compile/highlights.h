@@ -66,7 +66,7 @@ struct HighlightTable {
     [[nodiscard]] double pickProbability(const HighlightLight& light) const { return byPower.probability(static_cast<std::size_t>(&light - lights.data())); }
 };
 
-/// Empty where there is no such surface or no light for one.
+/// Empty where there is no such surface or no light for one, or where too few would be tried.
 [[nodiscard]] HighlightTable makeHighlights(const std::vector<ShapeInstance>& shapes, const std::vector<CompiledMaterial>& materials, const LightTable& lights);
 
 /// A place on a glossy surface near the picture of a light in it.

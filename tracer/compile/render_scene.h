@@ -31,12 +31,15 @@ enum class Feature : std::uint32_t {
     SampledSky = 1u << 7,   ///< of these, one with next-event estimation
     Lens = 1u << 8,         ///< an aperture
     Rough = 1u << 9,        ///< lobes between Lambert's and a mirror's: microfacets, Phong
+    Casters = 1u << 10,     ///< perfect balls and faces under small lights, for the path integrator: see compile/casters.h
+    Highlights = 1u << 11,  ///< glossy surfaces under small lights, for it too: see compile/highlights.h
     // Not the scene's but the render's:
-    Layers = 1u << 10,      ///< layers are asked for
-    NoSkips = 1u << 11,     ///< work that cannot count is done all the same, to prove that it may be skipped
+    Layers = 1u << 12,      ///< layers are asked for
+    NoSkips = 1u << 13,     ///< work that cannot count is done all the same, to prove that it may be skipped
 };
-inline constexpr std::array<std::string_view, 10> kFeatureNames = {
-    "smooth BSDFs", "delta BSDFs", "media", "straight transmission", "delta lights", "area lights", "sky", "sampled sky", "lens", "rough lobes"};
+inline constexpr std::array<std::string_view, 12> kFeatureNames = {
+    "smooth BSDFs", "delta BSDFs", "media", "straight transmission", "delta lights", "area lights", "sky", "sampled sky", "lens", "rough lobes",
+    "caustics", "highlights"};
 
 using Features = std::uint32_t;
 /// All that a scene can hold.

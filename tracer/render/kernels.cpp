@@ -46,17 +46,23 @@ constexpr Features bits(auto... features) { return (static_cast<Features>(featur
 constexpr Features kDiffuse = bits(Feature::Smooth, Feature::DeltaLights, Feature::AreaLights, Feature::Sky, Feature::SampledSky, Feature::Lens);
 constexpr Features kMirrors = kDiffuse | bits(Feature::Delta);
 constexpr Features kGlass = kMirrors | bits(Feature::Media);
-constexpr Features kRough = kMirrors | bits(Feature::Rough);
+constexpr Features kCaustics = kGlass | bits(Feature::Casters);
+constexpr Features kRough = kDiffuse | bits(Feature::Rough);
 constexpr Features kRoughGlass = kGlass | bits(Feature::Rough);
+constexpr Features kRoughCaustics = kCaustics | bits(Feature::Rough);
+constexpr Features kHighlights = kMirrors | bits(Feature::Rough, Feature::Highlights);
 constexpr Features kLayers = kAllFeatures | bits(Feature::Layers);
 constexpr Features kNoSkips = kAllFeatures | bits(Feature::NoSkips);
 
 constexpr std::array kKernels = {
     path<kDiffuse>("path: diffuse"),
-    path<kMirrors>("path: mirrors"),
+    path<kMirrors | bits(Feature::Casters)>("path: mirrors"),
     path<kGlass>("path: glass"),
+    path<kCaustics>("path: caustics"),
     path<kRough>("path: rough"),
     path<kRoughGlass>("path: rough, glass"),
+    path<kRoughCaustics>("path: rough, caustics"),
+    path<kHighlights>("path: highlights"),
     path<kAllFeatures>("path: all"),
     path<kLayers>("path: layers"),
     path<kNoSkips>("path: no skips"),

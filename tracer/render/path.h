@@ -34,8 +34,8 @@ class PathTracer {
     using Path = PathState;
 
     static constexpr bool kSamplesLights = has(F, Feature::DeltaLights) || has(F, Feature::AreaLights) || has(F, Feature::SampledSky);
-    static constexpr bool kConnects = Effort::kConnects && has(F, Feature::Smooth) && has(F, Feature::Delta) && kSamplesLights;
-    static constexpr bool kHighlights = Effort::kHighlights && has(F, Feature::Rough) && kSamplesLights;
+    static constexpr bool kConnects = Effort::kConnects && has(F, Feature::Casters);
+    static constexpr bool kHighlights = Effort::kHighlights && has(F, Feature::Highlights);
     static constexpr bool kLightsMayBePassed = has(F, Feature::Straight) && has(F, Feature::AreaLights);
     /// Up to this many lights, each is sampled at the first vertex with a smooth part.
     static constexpr std::size_t kAllLights = 4;

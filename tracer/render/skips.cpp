@@ -66,9 +66,9 @@ constexpr Skip kSkips[] = {
      [](const RenderScene& s) { return s.settings.maxDepth <= 1; }},
     {"pinhole: no lens samples", Work::LensSamples, lacks<Feature::Lens>},
     {"no perfect balls under small lights: no connections", Work::Connections,
-     [](const RenderScene& s) { return s.casters.empty() || s.settings.integrator != Integrator::Path; }},
+     lacks<Feature::Casters>},
     {"no glossy surfaces under small lights: no highlights", Work::Highlights,
-     [](const RenderScene& s) { return s.highlights.empty() || s.settings.integrator != Integrator::Path; }},
+     lacks<Feature::Highlights>},
 };
 
 }  // namespace
