@@ -75,18 +75,6 @@ double invertLinear(double u, double a, double b) {
     return denominator > 0 ? std::min(1.0, u * (a + b) / denominator) : 0.0;
 }
 
-/// The last of `count` pieces, in order, that starts at or before the target; the first where none does. Without branches.
-template <class StartOf>
-int lastFrom(int count, double target, const StartOf& startOf) {
-    int last = 0;
-    while (count > 1) {
-        const int half = count / 2;
-        last = startOf(last + half) <= target ? last + half : last;
-        count -= half;
-    }
-    return last;
-}
-
 /// The fraction t of a band at which the integral of ((1 - t) upper + t lower) sin(theta) from its
 /// start reaches `share` of `mass`, its value for the whole band. Halley's method from the solution
 /// for a linear density: two or three steps; error 1e-12, or 1e-4 within that much of a place where
@@ -128,6 +116,7 @@ EnvironmentMap::EnvironmentMap(std::shared_ptr<const Image> image, Density densi
 
     blocksPerRow_ = (image_->width + kBlock - 1) / kBlock;
     blocks_.resize(height * static_cast<std::size_t>(blocksPerRow_ + 1));
+    blockGuides_.resize(blocks_.size());
     computeMean();
     const auto build = [&](double threshold) {
         computeWeights(threshold);
@@ -213,6 +202,8 @@ void EnvironmentMap::buildBlocks(int y) {
         left = right;
     }
     blocks_[next] = before;
+    fillGuide(std::span(blockGuides_).subspan(rowStart(y), static_cast<std::size_t>(blocksPerRow_ + 1)), before,
+              [row = blocks_.data() + rowStart(y)](int block) { return row[block]; });
 }
 
 void EnvironmentMap::buildBands() {
@@ -228,6 +219,8 @@ void EnvironmentMap::buildBands() {
                          w.lower * rowIntegral(band.lower));
     }
     bandStarts_.emplace_back(0, -1);
+    bandGuide_.resize(static_cast<std::size_t>(height) + 2);
+    fillGuide(bandGuide_, bands_.back(), [&](int band) { return bands_[static_cast<std::size_t>(band)]; });
 }
 
 EnvironmentMap::Place EnvironmentMap::placeOf(const DVec3& d) const {
@@ -271,12 +264,27 @@ EnvironmentLookup EnvironmentMap::evaluate(const DVec3& direction) const {
     return {radianceAt(p), (upper * (1 - p.fy) + lower * p.fy) * pdfPerWeight_};
 }
 
-EnvironmentMap::Column EnvironmentMap::sampleColumn(double u, int y0, int y1, double fy) const {
+PieceRange EnvironmentMap::blocksAt(double u, int y0, int y1) const {
+    const auto of = [&](int y) { return guided(std::span(blockGuides_).subspan(rowStart(y), static_cast<std::size_t>(blocksPerRow_ + 1)), u); };
+    const PieceRange a = of(y0), b = of(y1);
+    return {std::min(a.first, b.first), std::max(a.last, b.last)};
+}
+
+void EnvironmentMap::prefetch(int block, int y) const {
+    constexpr std::ptrdiff_t kLine = 64;
+    constexpr auto kTexelLines = static_cast<std::ptrdiff_t>(kBlock * 3 * sizeof(float)) / kLine + 1;
+    const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(image_->width) + static_cast<std::size_t>(block * kBlock);
+    __builtin_prefetch(weights_.data() + first);
+    const auto* texels = reinterpret_cast<const char*>(image_->rgb.data() + 3 * first);
+    for (std::ptrdiff_t line = 0; line < kTexelLines; ++line) __builtin_prefetch(texels + kLine * line);
+}
+
+EnvironmentMap::Column EnvironmentMap::sampleColumn(double u, const PieceRange& blocks, int y0, int y1, double fy) const {
     const double* upper = blocks_.data() + rowStart(y0);
     const double* lower = blocks_.data() + rowStart(y1);
     const auto before = [&](int block) { return (1 - fy) * upper[block] + fy * lower[block]; };
     const double target = u * before(blocksPerRow_);
-    const int block = lastFrom(blocksPerRow_, target, before);
+    const int block = lastFrom(blocks, target, before);
 
     const int width = image_->width, last = std::min((block + 1) * kBlock, width) - 1;
     const float* upperWeights = weights_.data() + static_cast<std::size_t>(y0) * static_cast<std::size_t>(width);
@@ -302,15 +310,17 @@ EnvironmentMap::Column EnvironmentMap::sampleColumn(double u, int y0, int y1, do
 EnvironmentSample EnvironmentMap::sample(const Vec2& u) const {
     if (pdfPerWeight_ == 0) return {};
     const double target = static_cast<double>(u.y) * bands_.back();
-    const int index = lastFrom(image_->height + 1, target, [&](int i) { return bands_[static_cast<std::size_t>(i)]; });
+    const int index = lastFrom(guided(bandGuide_, static_cast<double>(u.y)), target, [&](int i) { return bands_[static_cast<std::size_t>(i)]; });
     const Band band = bandOf(index, image_->height);
+    const PieceRange blocks = blocksAt(static_cast<double>(u.x), band.upper, band.lower);
+    for (const int y : {band.upper, band.lower}) prefetch(blocks.first, y);
     const double before = bands_[static_cast<std::size_t>(index)],
                  mass = bands_[static_cast<std::size_t>(index) + 1] - before,
                  share = std::clamp((target - before) / mass, 0.0, 1.0);
     const DVec2 start = bandStarts_[static_cast<std::size_t>(index)];
     const double fy = invertBand(band, start.x, start.y, bandStarts_[static_cast<std::size_t>(index) + 1].x, rowIntegral(band.upper),
                                  rowIntegral(band.lower), share, mass);
-    const Column column = sampleColumn(static_cast<double>(u.x), band.upper, band.lower, fy);
+    const Column column = sampleColumn(static_cast<double>(u.x), blocks, band.upper, band.lower, fy);
 
     EnvironmentSample out;
     const double turn = (column.x0 + 0.5 + column.fx) / image_->width - 0.5;

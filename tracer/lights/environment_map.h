@@ -10,6 +10,7 @@
 
 #include "tracer/color/rgb.h"
 #include "tracer/io/image_file.h"
+#include "tracer/math/search_guide.h"
 #include "tracer/math/warp.h"
 
 namespace glint {
@@ -87,7 +88,11 @@ class EnvironmentMap {
         return static_cast<double>(weights_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image_->width) +
                                             static_cast<std::size_t>(x)]);
     }
-    [[nodiscard]] Column sampleColumn(double u, int y0, int y1, double fy) const;
+    [[nodiscard]] Column sampleColumn(double u, const PieceRange& blocks, int y0, int y1, double fy) const;
+    /// The blocks of columns that `u` can lie in between two rows.
+    [[nodiscard]] PieceRange blocksAt(double u, int y0, int y1) const;
+    /// Asks for the memory that a look-up in a block reads, long before it does.
+    void prefetch(int block, int y) const;
 
     [[nodiscard]] std::size_t rowStart(int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(blocksPerRow_ + 1);
@@ -113,9 +118,11 @@ class EnvironmentMap {
     /// 1e9 must not swallow its neighbours.
     std::vector<double> blocks_;
     int blocksPerRow_ = 0;
+    std::vector<std::uint32_t> blockGuides_;  ///< for each row of blocks_, in the same places
     /// Integral of the weights times sin(theta) d theta from the top to the start of each band; a
     /// band lies between the centres of two texel rows, or between a pole and the row beside it.
     std::vector<double> bands_;
+    std::vector<std::uint32_t> bandGuide_;
     std::vector<DVec2> bandStarts_;  ///< sine and cosine of theta where each band starts, and at the end
     double pdfPerWeight_ = 0;
 };
