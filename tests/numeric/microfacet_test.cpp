@@ -118,7 +118,7 @@ TEST(Microfacet, RoughGlassBetweenEqualMediaIsNotThere) {
     EXPECT_NEAR(found[0].weight.x, 1, 1e-6);
     EXPECT_TRUE(found[0].straight);
     EXPECT_EQ(glass.sample(wo, {0.3f, 0.4f, 0.5f}, 1).pdf, 0);
-    EXPECT_EQ(glass.eval(wo, -wo, 1).x, 0);
+    EXPECT_EQ(glass.value(wo, -wo, 1).f.x, 0);
     EXPECT_EQ(glass.branches(wo, 1.5f, found), 0);
 }
 
@@ -129,11 +129,11 @@ TEST(Glossy, CoatOfTheIndexAroundIsNotThere) {
     DeltaBranch found[kMaxBranches];
     EXPECT_EQ(polished.branches(wo, 1.33f, found), 0);
     EXPECT_EQ(polished.branches(wo, 1, found), 1);
-    EXPECT_NEAR(polished.eval(wo, wi, 1.33f).x, 0.6 / kPi, 1e-6);
+    EXPECT_NEAR(polished.value(wo, wi, 1.33f).f.x, 0.6 / kPi, 1e-6);
     const GlossyBsdf rough(Rgb(0.6f), 1.33f, 0.1f, indices);
-    EXPECT_NEAR(rough.eval(wo, wi, 1.33f).x, 0.6 / kPi, 1e-4);
-    EXPECT_LT(rough.evalBase(viewDirection(75, 30), wi, 1).x, 0.55 / kPi);
-    EXPECT_NEAR(rough.evalBase(viewDirection(75, 30), wi, 1.33f).x, 0.6 / kPi, 1e-4);
+    EXPECT_NEAR(rough.value(wo, wi, 1.33f).f.x, 0.6 / kPi, 1e-4);
+    EXPECT_LT(rough.baseValue(viewDirection(75, 30), wi, 1).x, 0.55 / kPi);
+    EXPECT_NEAR(rough.baseValue(viewDirection(75, 30), wi, 1.33f).x, 0.6 / kPi, 1e-4);
 }
 
 TEST(Mix, OfMixesIsTakenApartOnce) {

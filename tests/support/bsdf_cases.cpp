@@ -165,7 +165,7 @@ Rgb evalLeaf(const LeafCase& c, const Vec3& wo, const Vec3& wi) {
     return std::visit(
         [&]<class Leaf>(const Leaf& leaf) {
             if constexpr (Leaf::kSmooth)
-                return leaf.eval(wo, wi, c.eta);
+                return leaf.value(wo, wi, c.eta).f;
             else
                 return Rgb(0.0f);
         },
@@ -175,7 +175,7 @@ float pdfLeaf(const LeafCase& c, const Vec3& wo, const Vec3& wi) {
     return std::visit(
         [&]<class Leaf>(const Leaf& leaf) {
             if constexpr (Leaf::kSmooth)
-                return leaf.pdf(wo, wi, c.eta);
+                return leaf.value(wo, wi, c.eta).pdf;
             else
                 return 0.0f;
         },

@@ -1,8 +1,8 @@
 // What a compiled material is made of: a list of weighted leaves (BSDFs), because every material is linear in simple ones.
 //
 // Directions are unit vectors in the local frame, z along the outward normal; `wo` points to the viewer, `wi` to the light,
-// both away from the surface; either may be on either side. A leaf may have a smooth part (eval/pdf/sample; eval excludes
-// the cosine, pdf is per solid angle) and a delta part (branches). `eta` is the refractive index on wo's side over that on the
+// both away from the surface; either may be on either side. A leaf may have a smooth part (value/sample; f excludes the
+// cosine, pdf is per solid angle) and a delta part (branches). `eta` is the refractive index on wo's side over that on the
 // other side, from the media the path is in; behind a surface that encloses no medium it counts as 1, so that `eta` is the
 // index around. Leaves depend on nothing else. A rough leaf names the delta part that it is near to (perfectBranches).
 #pragma once
@@ -14,11 +14,20 @@
 
 namespace glint {
 
+/// A smooth part for two directions: its f, and the density with which it would draw the second one.
+struct BsdfValue {
+    Rgb f{0.0f};
+    float pdf = 0;
+};
+
 /// A direction drawn from a smooth part. pdf 0 means "no sample".
 struct BsdfSample {
     Vec3 wi{0.0f};
     Rgb f{0.0f};
     float pdf = 0;
+
+    BsdfSample() = default;
+    BsdfSample(const Vec3& direction, const BsdfValue& value) : wi(direction), f(value.f), pdf(value.pdf) {}
 };
 
 /// One direction of a delta part: light from `wi` reaches `wo` with the factor `weight`.

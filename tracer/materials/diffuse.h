@@ -13,15 +13,13 @@ struct LambertBsdf {
     Rgb color;
 
     [[nodiscard]] Rgb albedo() const { return color; }
-    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float) const {
-        return sameSide(wo, wi) ? color * (1 / kPiF) : Rgb(0.0f);
-    }
-    [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float) const {
-        return sameSide(wo, wi) ? std::abs(wi.z) * (1 / kPiF) : 0.0f;
+    [[nodiscard]] BsdfValue value(const Vec3& wo, const Vec3& wi, float) const {
+        if (!sameSide(wo, wi)) return {};
+        return {color * (1 / kPiF), std::abs(wi.z) * (1 / kPiF)};
     }
     [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float) const {
         const Vec3 wi = cosineOnSideOf(wo, {u.x, u.y});
-        return {wi, color * (1 / kPiF), std::abs(wi.z) * (1 / kPiF)};
+        return {wi, {color * (1 / kPiF), std::abs(wi.z) * (1 / kPiF)}};
     }
 };
 

@@ -24,19 +24,16 @@ class PolishedGlossyBsdf {
           coats_(around, [ior](float index) { return Coat(index / ior); }),
           entering_(coats_.nearest(around[0]).entering) {}
     [[nodiscard]] Rgb albedo() const { return color_ * entering_; }
-    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float around) const {
-        if (!sameSide(wo, wi)) return Rgb(0.0f);
+    [[nodiscard]] BsdfValue value(const Vec3& wo, const Vec3& wi, float around) const {
+        if (!sameSide(wo, wi)) return {};
         const Coat& coat = coats_.nearest(around);
         const float passes = (1 - fresnelDielectric(std::abs(wo.z), coat.eta)) *
                              (1 - fresnelDielectric(std::abs(wi.z), coat.eta));
-        return color_ * (passes / (kPiF * coat.entering));
-    }
-    [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float) const {
-        return sameSide(wo, wi) ? std::abs(wi.z) * (1 / kPiF) : 0.0f;
+        return {color_ * (passes / (kPiF * coat.entering)), std::abs(wi.z) * (1 / kPiF)};
     }
     [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float eta) const {
         const Vec3 wi = cosineOnSideOf(wo, {u.x, u.y});
-        return {wi, eval(wo, wi, eta), pdf(wo, wi, eta)};
+        return {wi, value(wo, wi, eta)};
     }
     [[nodiscard]] int branches(const Vec3& wo, float around, DeltaBranch* out) const {
         const float reflectance =
@@ -71,31 +68,32 @@ class GlossyBsdf {
           coats_(around, [alpha, ior](float index) { return Coat(alpha, index / ior); }),
           entering_(static_cast<float>(coats_.nearest(around[0]).passing.average())) {}
     [[nodiscard]] Rgb albedo() const { return color_ * entering_ + Rgb(1 - entering_); }
-    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float around) const {
+    [[nodiscard]] BsdfValue value(const Vec3& wo, const Vec3& wi, float around) const {
         const ReflectionPair p(wo, wi);
-        return p.valid ? evalPair(p, coats_.nearest(around)) : Rgb(0.0f);
+        if (!p.valid) return {};
+        const Coat& coat = coats_.nearest(around);
+        return value(p, coat, coat.passing(p.o.z));
     }
-    /// The part of eval() that is the base's.
-    [[nodiscard]] Rgb evalBase(const Vec3& wo, const Vec3& wi, float around) const {
+    /// The part of f that is the base's.
+    [[nodiscard]] Rgb baseValue(const Vec3& wo, const Vec3& wi, float around) const {
         const ReflectionPair p(wo, wi);
-        return p.valid ? color_ * coats_.nearest(around).base(p) : Rgb(0.0f);
-    }
-    [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float around) const {
-        const ReflectionPair p(wo, wi);
-        return p.valid ? pdfPair(p, coats_.nearest(around)) : 0.0f;
+        if (!p.valid) return Rgb(0.0f);
+        const Coat& coat = coats_.nearest(around);
+        return color_ * coat.base(p, coat.passing(p.o.z));
     }
     [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float around) const {
         const DVec3 o = unitOnSide(wo, wo.z);
         if (o.z < kMinCosine) return {};
         const Coat& coat = coats_.nearest(around);
-        Vec3 wi = u.z < coatShare(o.z, coat)
+        const double passes = coat.passing(o.z);
+        Vec3 wi = u.z < coatShare(passes)
                       ? toFloat(reflectAbout(o, ggx_.reflectingNormal(o, DVec2(u.x, u.y))))
                       : cosineHemisphere({u.x, u.y});
         if (wi.z <= 0) return {};
         if (wo.z < 0) wi.z = -wi.z;
         const ReflectionPair p(wo, wi);
         if (!p.valid) return {};
-        return {wi, evalPair(p, coat), pdfPair(p, coat)};
+        return {wi, value(p, coat, passes)};
     }
     [[nodiscard]] Gloss gloss() const {
         return {ggx_.alpha(), std::min(1.0f, 3 * fresnelDielectric(std::sqrt(0.5f), 1 / ior_))};
@@ -112,25 +110,24 @@ class GlossyBsdf {
         double eta;           ///< index around over the coat's
         CoatPassing passing;  ///< the share that enters the coat, or leaves it from within
         Coat(float alpha, float ratio) : eta(ratio), passing(alpha, ratio) {}
-        [[nodiscard]] float base(const ReflectionPair& p) const {
-            return static_cast<float>(passing(p.o.z) * passing(p.i.z) / (kPi * passing.average()));
+        [[nodiscard]] float base(const ReflectionPair& p, double passes) const {
+            return static_cast<float>(passes * passing(p.i.z) / (kPi * passing.average()));
         }
     };
 
-    [[nodiscard]] Rgb evalPair(const ReflectionPair& p, const Coat& coat) const {
+    /// `passes`: what passes the coat along p.o.
+    [[nodiscard]] BsdfValue value(const ReflectionPair& p, const Coat& coat, double passes) const {
         const double mirror =
             ggx_.d(p.h) * ggx_.visibility(p.o, p.i) * fresnelTerm(p.cosHalf, coat.eta).reflectance;
-        return color_ * coat.base(p) + Rgb(static_cast<float>(mirror));
-    }
-    [[nodiscard]] float pdfPair(const ReflectionPair& p, const Coat& coat) const {
-        const double share = coatShare(p.o.z, coat);
-        return static_cast<float>(share * ggx_.reflectionPdf(p.o, p.h) +
-                                  (1 - share) * p.i.z * (1 / kPi));
+        const double share = coatShare(passes);
+        return {color_ * coat.base(p, passes) + Rgb(static_cast<float>(mirror)),
+                static_cast<float>(share * ggx_.reflectionPdf(p.o, p.h) +
+                                   (1 - share) * p.i.z * (1 / kPi))};
     }
     /// How often the coat is sampled: as much as it reflects. The floor keeps a density wherever
     /// the coat has a value.
-    [[nodiscard]] double coatShare(double cosine, const Coat& coat) const {
-        const double passes = coat.passing(cosine), mirror = std::max(1e-3, 1 - passes);
+    [[nodiscard]] double coatShare(double passes) const {
+        const double mirror = std::max(1e-3, 1 - passes);
         return mirror / (mirror + passes * maxComponent(color_));
     }
 

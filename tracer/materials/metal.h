@@ -39,26 +39,23 @@ class MetalBsdf {
         const float lost = static_cast<float>(loss_.average());
         return average_ * (1 - lost) + multiple_ * lost;
     }
-    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float) const {
+    [[nodiscard]] BsdfValue value(const Vec3& wo, const Vec3& wi, float) const {
         const ReflectionPair p(wo, wi);
-        return p.valid ? evalPair(p) : Rgb(0.0f);
-    }
-    [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float) const {
-        const ReflectionPair p(wo, wi);
-        return p.valid ? pdfPair(p) : 0.0f;
+        return p.valid ? value(p, loss_(p.o.z)) : BsdfValue{};
     }
     [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float) const {
         const DVec3 o = unitOnSide(wo, wo.z);
         if (o.z < kMinCosine) return {};
         const DVec2 place(u.x, u.y);
+        const double lost = loss_(o.z);
         Vec3 wi =
-            toFloat(u.z < multipleShare(o.z) ? multipleLobe_.sample(place)
-                                             : reflectAbout(o, ggx_.reflectingNormal(o, place)));
+            toFloat(u.z < multipleShare(lost) ? multipleLobe_.sample(place)
+                                              : reflectAbout(o, ggx_.reflectingNormal(o, place)));
         if (wi.z <= 0) return {};
         if (wo.z < 0) wi.z = -wi.z;
         const ReflectionPair p(wo, wi);
         if (!p.valid) return {};
-        return {wi, evalPair(p), pdfPair(p)};
+        return {wi, value(p, lost)};
     }
     [[nodiscard]] Gloss gloss() const { return {ggx_.alpha(), 1}; }
     /// The polished metal that it is near to (classic).
@@ -67,21 +64,20 @@ class MetalBsdf {
     }
 
   private:
-    [[nodiscard]] Rgb evalPair(const ReflectionPair& p) const {
+    /// `lost`: what is lost along p.o.
+    [[nodiscard]] BsdfValue value(const ReflectionPair& p, double lost) const {
         const float single = static_cast<float>(ggx_.d(p.h) * ggx_.visibility(p.o, p.i));
         const float white = static_cast<float>(schlickWeight(p.cosHalf));
         const float multiple =
-            static_cast<float>(loss_(p.o.z) * loss_(p.i.z) * multipleScale_);
-        return (color_ + (Rgb(1.0f) - color_) * white) * single + multiple_ * multiple;
-    }
-    [[nodiscard]] float pdfPair(const ReflectionPair& p) const {
-        const double share = multipleShare(p.o.z);
-        return static_cast<float>((1 - share) * ggx_.reflectionPdf(p.o, p.h) +
-                                  share * multipleLobe_.pdf(p.i.z));
+            static_cast<float>(lost * loss_(p.i.z) * multipleScale_);
+        const double share = multipleShare(lost);
+        return {(color_ + (Rgb(1.0f) - color_) * white) * single + multiple_ * multiple,
+                static_cast<float>((1 - share) * ggx_.reflectionPdf(p.o, p.h) +
+                                   share * multipleLobe_.pdf(p.i.z))};
     }
     /// How often the second term is sampled.
-    [[nodiscard]] double multipleShare(double cosine) const {
-        const double lost = loss_(cosine), multiple = lost * maxComponent(multiple_);
+    [[nodiscard]] double multipleShare(double lost) const {
+        const double multiple = lost * maxComponent(multiple_);
         return multiple / (multiple + (1 - lost) * maxComponent(average_));
     }
 

@@ -16,11 +16,9 @@ struct PhongBsdf {
     float exponent;
 
     [[nodiscard]] Rgb albedo() const { return Rgb(1.0f); }
-    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float) const {
-        return sameSide(wo, wi) ? Rgb((exponent + 2) / (2 * kPiF) * lobe(wo, wi)) : Rgb(0.0f);
-    }
-    [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float) const {
-        return (exponent + 1) / (2 * kPiF) * lobe(wo, wi);
+    [[nodiscard]] BsdfValue value(const Vec3& wo, const Vec3& wi, float) const {
+        const float power = lobe(wo, wi) / (2 * kPiF);
+        return {sameSide(wo, wi) ? Rgb((exponent + 2) * power) : Rgb(0.0f), (exponent + 1) * power};
     }
     /// cos^n falls off as GGX of this alpha.
     [[nodiscard]] Gloss gloss() const { return {std::sqrt(2.0 / (static_cast<double>(exponent) + 2)), 1}; }
@@ -28,7 +26,7 @@ struct PhongBsdf {
         const double cosine = std::pow(1.0 - static_cast<double>(u.x), 1.0 / (exponent + 1.0));
         const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine)), phi = 2 * kPi * u.y;
         const Vec3 wi = toFloat(Frame(toDouble(mirrored(wo))).toWorld(DVec3(sine * std::cos(phi), sine * std::sin(phi), cosine)));
-        return {wi, eval(wo, wi, eta), pdf(wo, wi, eta)};
+        return {wi, value(wo, wi, eta)};
     }
 
   private:

@@ -41,27 +41,27 @@ std::vector<float> bothWays(std::span<const float> ratios) {
 RoughGlassBsdf::RoughGlassBsdf(float alpha, std::span<const float> etas)
     : alpha_(alpha), ggx_(alpha), multipleLobe_(alpha), multiple_(bothWays(etas), [alpha](float eta) { return Multiple(alpha, eta); }) {}
 
-RoughGlassBsdf::Value RoughGlassBsdf::valueOf(const Vec3& wo, const Vec3& wi, double eta) const {
+BsdfValue RoughGlassBsdf::value(const Vec3& wo, const Vec3& wi, float eta) const {
     if (isSmooth(eta)) return {};
     const DVec3 o = unitOnSide(wo, wo.z), i = unitOnSide(wi, wo.z);
     if (o.z < kMinCosine || std::abs(i.z) < kMinCosine) return {};
     return i.z > 0 ? reflected(o, i, eta) : transmitted(o, i, eta);
 }
 
-RoughGlassBsdf::Value RoughGlassBsdf::reflected(const DVec3& o, const DVec3& i, double eta) const {
+BsdfValue RoughGlassBsdf::reflected(const DVec3& o, const DVec3& i, double eta) const {
     const Multiple* multiple = multiple_.find(static_cast<float>(eta));
     const DVec3 sum = o + i, h = sum / std::sqrt(glm::dot(sum, sum));
     const double cosine = glm::dot(o, h), reflectance = fresnelTerm(cosine, eta).reflectance;
     const double single = reflectance * ggx_.d(h) * ggx_.visibility(o, i);
     const double pdf = reflectance * ggx_.visibleNormalPdf(o, h) / (4 * cosine);
-    if (!multiple) return {static_cast<float>(single), static_cast<float>(pdf)};
+    if (!multiple) return {Rgb(static_cast<float>(single)), static_cast<float>(pdf)};
     const double lost = multiple->lost(o.z);
-    return {static_cast<float>(single + multiple->back(o, i)),
+    return {Rgb(static_cast<float>(single + multiple->back(o, i))),
             static_cast<float>((1 - lost) * pdf +
                                lost * (1 - multiple->across()) * multipleLobe_.pdf(i.z))};
 }
 
-RoughGlassBsdf::Value RoughGlassBsdf::transmitted(const DVec3& o, const DVec3& i,
+BsdfValue RoughGlassBsdf::transmitted(const DVec3& o, const DVec3& i,
                                                   double eta) const {
     double single = 0, pdf = 0;
     DVec3 h = eta * o + i;
@@ -80,7 +80,7 @@ RoughGlassBsdf::Value RoughGlassBsdf::transmitted(const DVec3& o, const DVec3& i
         single += multiple->through(o, i);
         pdf = (1 - lost) * pdf + lost * multiple->across() * multipleLobe_.pdf(-i.z);
     }
-    return {static_cast<float>(eta * eta * single), static_cast<float>(pdf)};
+    return {Rgb(static_cast<float>(eta * eta * single)), static_cast<float>(pdf)};
 }
 
 BsdfSample RoughGlassBsdf::sample(const Vec3& wo, const Vec3& u, float eta) const {
@@ -104,8 +104,7 @@ BsdfSample RoughGlassBsdf::sample(const Vec3& wo, const Vec3& u, float eta) cons
         if (reflects != (wi.z > 0)) return {};
     }
     if (wo.z < 0) wi.z = -wi.z;
-    const Value value = valueOf(wo, wi, eta);
-    return {wi, Rgb(value.f), value.pdf};
+    return {wi, value(wo, wi, eta)};
 }
 
 RoughThinGlassBsdf::Reflectance::Reflectance(double ratio) : eta(ratio) {
@@ -116,28 +115,19 @@ RoughThinGlassBsdf::Reflectance::Reflectance(double ratio) : eta(ratio) {
 RoughThinGlassBsdf::RoughThinGlassBsdf(float ior, float alpha, std::span<const float> around)
     : ior_(ior), ggx_(alpha), multipleLobe_(alpha), loss_(alpha), reflectance_(around, [ior](float index) { return Reflectance(index / ior); }) {}
 
-Rgb RoughThinGlassBsdf::eval(const Vec3& wo, const Vec3& wi, float around) const {
+BsdfValue RoughThinGlassBsdf::value(const Vec3& wo, const Vec3& wi, float around) const {
     const bool back = sameSide(wo, wi);
     const ReflectionPair p(wo, back ? wi : Vec3(wi.x, wi.y, -wi.z));
-    if (!p.valid) return Rgb(0.0f);
+    if (!p.valid) return {};
     const Reflectance& reflectance = reflectance_.nearest(around);
-    const double share = reflectance(p.cosHalf), averageShare = reflectance.average;
+    const double share = back ? reflectance(p.cosHalf) : 1 - reflectance(p.cosHalf);
+    const double averageShare = back ? reflectance.average : 1 - reflectance.average;
+    const double lost = loss_(p.o.z);
     const double single = ggx_.d(p.h) * ggx_.visibility(p.o, p.i);
-    const double multiple = loss_(p.o.z) * loss_(p.i.z) / (kPi * loss_.average());
-    return Rgb(static_cast<float>(back ? share * single + averageShare * multiple
-                                       : (1 - share) * single + (1 - averageShare) * multiple));
-}
-
-float RoughThinGlassBsdf::pdf(const Vec3& wo, const Vec3& wi, float around) const {
-    const bool back = sameSide(wo, wi);
-    const ReflectionPair p(wo, back ? wi : Vec3(wi.x, wi.y, -wi.z));
-    if (!p.valid) return 0;
-    const Reflectance& reflectance = reflectance_.nearest(around);
-    const double share = reflectance(p.cosHalf), averageShare = reflectance.average;
-    const double lost = loss_(p.o.z), single = (1 - lost) * ggx_.reflectionPdf(p.o, p.h),
-                 multiple = lost * multipleLobe_.pdf(p.i.z);
-    return static_cast<float>(back ? share * single + averageShare * multiple
-                                   : (1 - share) * single + (1 - averageShare) * multiple);
+    const double multiple = lost * loss_(p.i.z) / (kPi * loss_.average());
+    return {Rgb(static_cast<float>(share * single + averageShare * multiple)),
+            static_cast<float>(share * (1 - lost) * ggx_.reflectionPdf(p.o, p.h) +
+                               averageShare * lost * multipleLobe_.pdf(p.i.z))};
 }
 
 BsdfSample RoughThinGlassBsdf::sample(const Vec3& wo, const Vec3& u, float around) const {
@@ -155,7 +145,7 @@ BsdfSample RoughThinGlassBsdf::sample(const Vec3& wo, const Vec3& u, float aroun
     }
     if (wi.z <= 0) return {};
     if ((pick < share) != (wo.z > 0)) wi.z = -wi.z;
-    return {wi, eval(wo, wi, around), pdf(wo, wi, around)};
+    return {wi, value(wo, wi, around)};
 }
 
 }  // namespace glint

@@ -38,12 +38,7 @@ class RoughGlassBsdf {
     RoughGlassBsdf(float alpha, std::span<const float> etas);
 
     [[nodiscard]] Rgb albedo() const { return Rgb(1.0f); }
-    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float eta) const {
-        return Rgb(valueOf(wo, wi, eta).f);
-    }
-    [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float eta) const {
-        return valueOf(wo, wi, eta).pdf;
-    }
+    [[nodiscard]] BsdfValue value(const Vec3& wo, const Vec3& wi, float eta) const;
     [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float eta) const;
     [[nodiscard]] int branches(const Vec3& wo, float eta, DeltaBranch* out) const {
         return isSmooth(eta) ? smoothDielectricBranches(wo, eta, out) : 0;
@@ -54,9 +49,6 @@ class RoughGlassBsdf {
     }
 
   private:
-    struct Value {
-        float f = 0, pdf = 0;
-    };
     /// What multiple scattering gives back at one boundary, seen from wo's side.
     class Multiple {
       public:
@@ -79,9 +71,8 @@ class RoughGlassBsdf {
 
     /// Refraction spreads light by alpha * |eta - 1|: float directions do not resolve less.
     [[nodiscard]] bool isSmooth(double eta) const { return alpha_ * std::abs(eta - 1) < 2e-5; }
-    [[nodiscard]] Value valueOf(const Vec3& wo, const Vec3& wi, double eta) const;
-    [[nodiscard]] Value reflected(const DVec3& o, const DVec3& i, double eta) const;
-    [[nodiscard]] Value transmitted(const DVec3& o, const DVec3& i, double eta) const;
+    [[nodiscard]] BsdfValue reflected(const DVec3& o, const DVec3& i, double eta) const;
+    [[nodiscard]] BsdfValue transmitted(const DVec3& o, const DVec3& i, double eta) const;
 
     double alpha_;
     Ggx ggx_;
@@ -115,8 +106,7 @@ class RoughThinGlassBsdf {
     RoughThinGlassBsdf(float ior, float alpha, std::span<const float> around);
 
     [[nodiscard]] Rgb albedo() const { return Rgb(1.0f); }
-    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float around) const;
-    [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float around) const;
+    [[nodiscard]] BsdfValue value(const Vec3& wo, const Vec3& wi, float around) const;
     [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float around) const;
     /// The polished sheet that it is near to (classic).
     [[nodiscard]] int perfectBranches(const Vec3& wo, float around, DeltaBranch* out) const {

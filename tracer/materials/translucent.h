@@ -18,15 +18,13 @@ class TranslucentBsdf {
         pickReflection_ = r + t > 0 ? r / (r + t) : 1;
     }
     [[nodiscard]] Rgb albedo() const { return reflectance_ + transmittance_; }
-    [[nodiscard]] Rgb eval(const Vec3& wo, const Vec3& wi, float) const {
-        return (sameSide(wo, wi) ? reflectance_ : transmittance_) * (1 / kPiF);
-    }
-    [[nodiscard]] float pdf(const Vec3& wo, const Vec3& wi, float) const {
-        return (sameSide(wo, wi) ? pickReflection_ : 1 - pickReflection_) * std::abs(wi.z) * (1 / kPiF);
+    [[nodiscard]] BsdfValue value(const Vec3& wo, const Vec3& wi, float) const {
+        const bool back = sameSide(wo, wi);
+        return {(back ? reflectance_ : transmittance_) * (1 / kPiF), (back ? pickReflection_ : 1 - pickReflection_) * std::abs(wi.z) * (1 / kPiF)};
     }
     [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float eta) const {
         const Vec3 wi = cosineOnSideOf(u.z < pickReflection_ ? wo : -wo, {u.x, u.y});
-        return {wi, eval(wo, wi, eta), pdf(wo, wi, eta)};
+        return {wi, value(wo, wi, eta)};
     }
 
   private:

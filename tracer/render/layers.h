@@ -47,8 +47,8 @@ struct LayerSample {
 /// The part of a smooth leaf's f that is diffuse reflection.
 template <class Leaf>
 [[nodiscard]] Rgb diffusePart(const Leaf& leaf, const Vec3& wo, const Vec3& wi, float eta, const Rgb& f) {
-    if constexpr (requires { leaf.evalBase(wo, wi, eta); })
-        return leaf.evalBase(wo, wi, eta);
+    if constexpr (requires { leaf.baseValue(wo, wi, eta); })
+        return leaf.baseValue(wo, wi, eta);
     else if constexpr (std::is_same_v<Leaf, LambertBsdf> || std::is_same_v<Leaf, TranslucentBsdf> || std::is_same_v<Leaf, PolishedGlossyBsdf>)
         return f;
     else
@@ -63,7 +63,7 @@ template <class Leaf>
         std::visit(
             [&]<class Leaf>(const Leaf& leaf) {
                 if constexpr (Leaf::kSmooth) {
-                    const Rgb f = leaf.eval(wo, wi, eta);
+                    const Rgb f = leaf.value(wo, wi, eta).f;
                     whole += weighted.weight * f;
                     diffuse += weighted.weight * diffusePart(leaf, wo, wi, eta, f);
                 }

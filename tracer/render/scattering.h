@@ -94,13 +94,14 @@ void withSmoothLeaf(const BsdfLeaf& leaf, WorkCounts& work, Use&& use) {
 /// Sum of the smooth leaves' f (without the cosine) and their mixture's density.
 template <Features F>
 [[nodiscard]] BsdfSample evalSmooth(const CompiledMaterial& material, const Vec3& wo, const Vec3& wi, float eta, WorkCounts& work) {
-    BsdfSample out{wi};
+    BsdfValue sum;
     for (std::size_t i = 0; i < material.leaves.size(); ++i)
         withSmoothLeaf<F>(material.leaves[i].leaf, work, [&](const auto& leaf) {
-            out.f += material.leaves[i].weight * leaf.eval(wo, wi, eta);
-            out.pdf += material.pick[i] * leaf.pdf(wo, wi, eta);
+            const BsdfValue value = leaf.value(wo, wi, eta);
+            sum.f += material.leaves[i].weight * value.f;
+            sum.pdf += material.pick[i] * value.pdf;
         });
-    return out;
+    return {wi, sum};
 }
 
 /// Sum of the smooth leaves' f alone.
@@ -108,7 +109,7 @@ template <Features F>
 [[nodiscard]] inline Rgb smoothValue(const CompiledMaterial& material, const Vec3& wo, const Vec3& wi, float eta, WorkCounts& work) {
     Rgb out(0.0f);
     for (const WeightedLeaf& weighted : material.leaves)
-        withSmoothLeaf<F>(weighted.leaf, work, [&](const auto& leaf) { out += weighted.weight * leaf.eval(wo, wi, eta); });
+        withSmoothLeaf<F>(weighted.leaf, work, [&](const auto& leaf) { out += weighted.weight * leaf.value(wo, wi, eta).f; });
     return out;
 }
 
