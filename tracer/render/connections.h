@@ -29,6 +29,7 @@ struct ConnectionVertex {
     const MediaStack& media;
     Rgb throughput;
     float smoothChance;
+    float number;  ///< for roulette, in [0, 1)
     int depth;
     std::uint32_t branch;
     int splits;  ///< at so many dielectrics from here on a path follows both ways
@@ -43,12 +44,11 @@ class Connections {
 
     /// Tries every caster.
     void run() {
-        const float turn = sampler_.block(sampleBlock(SampleUse::Caustic, vertex_.depth, vertex_.branch, 63)).x;
         for (std::uint32_t i = 0; i < scene_.casters.casters.size(); ++i) {
             const Caster& caster = scene_.casters.casters[i];
             if (vertex_.point.shape == caster.shape) continue;
             constexpr double kGolden = 0.6180339887498949;
-            const double place = static_cast<double>(turn) + kGolden * i;
+            const double place = static_cast<double>(vertex_.number) + kGolden * i;
             roulette_ = place - std::floor(place);
             if (roulette_ < connectionChance(caster, vertex_.point.position, caster.refracts ? Passage::kThrough : Passage::kReflection, drive_, 0)) tryCaster(caster, i);
         }

@@ -42,6 +42,7 @@ struct HighlightVertex {
     DVec3 position{0.0};
     std::uint32_t shape = kNoShape;
     float drive = 0;
+    float number = 0;  ///< for roulette, in [0, 1)
     int depth = 0;
     std::uint32_t branch = 0;
 };
@@ -52,9 +53,9 @@ struct HighlightVertex {
 template <class Take>
 void drawHighlights(const RenderScene& scene, const Sampler& sampler, const HighlightVertex& vertex, WorkCounts& work, const Take& take) {
     const HighlightTable& table = scene.highlights;
-    const SampleBlock first = sampler.block(sampleBlock(SampleUse::Caustic, vertex.depth, vertex.branch, 32));
-    const HighlightLight& light = table.pick(static_cast<double>(first.x));
-    double tooth = static_cast<double>(first.y);
+    const bool one = table.lights.size() == 1;
+    const HighlightLight& light = table.pick(one ? 0.0 : static_cast<double>(sampler.block(sampleBlock(SampleUse::Caustic, vertex.depth, vertex.branch, 32)).x));
+    auto tooth = static_cast<double>(vertex.number);
     if (table.mostTries(light, vertex.drive) <= tooth) return;  // No tooth falls on any.
     std::uint32_t tried = 0;
     for (const GlossySurface& surface : table.surfaces) {

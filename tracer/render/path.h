@@ -42,6 +42,7 @@ class PathTracer {
     /// Hidden boundaries count as no interaction; this many in a row mean a path caught in rounding.
     static constexpr int kMaxHidden = 256;
     static constexpr float kLeastChance = 0.05f;
+    static constexpr float kNoNumber = -1;
 
     void follow(Path path) {
         int hidden = 0;
@@ -170,15 +171,17 @@ class PathTracer {
         const std::uint32_t own = sampleBlock(SampleUse::Bsdf, path.depth, path.branch);
         const bool lit = has(F, Feature::Smooth) && kSamplesLights && (smoothChance > 0 || has(F, Feature::NoSkips)) && !scene_.lights.empty();
         SampleBlock u(0.0f);
+        float spare = kNoNumber;  // The fourth of the light's numbers: sums of what each use brings stay right if they share it.
         if (lit) {
             const auto [light, bsdf] = sampler_.blocks(sampleBlock(SampleUse::Light, path.depth, path.branch), own);
             u = bsdf;
+            spare = light.w;
             if constexpr (has(F, Feature::Smooth) && kSamplesLights) addDirect(path, step, point, material, smoothChance, light);
         }
         if constexpr (kConnects)
-            if (smoothChance > 0 && !scene_.casters.empty()) addConnections(path, point, material, smoothChance);
+            if (smoothChance > 0 && !scene_.casters.empty()) addConnections(path, point, material, smoothChance, spare);
         if constexpr (kHighlights)
-            if (smoothChance > 0 && !scene_.highlights.empty()) addHighlights(path, point, material, smoothChance);
+            if (smoothChance > 0 && !scene_.highlights.empty()) addHighlights(path, point, material, smoothChance, spare);
         if constexpr (has(F, Feature::Delta)) {
             if (path.splits < Effort::kMostSplits && branches.areTwo(material)) return takeBoth(path, point, branches);
         }
@@ -214,7 +217,7 @@ class PathTracer {
             path.throughput *= branch.weight * (total / Branches::size(branch));
             takeBranch(path, point, branch, branches.chanceOf(material, point.wo, sameSide(point.wo, branch.wi)));
         }
-        return survives(path);
+        return survives(path, spare);
     }
 
     /// Both ways, each with its whole weight, instead of a coin: one to its end, then the other goes on.
@@ -260,16 +263,17 @@ class PathTracer {
         ++state_.rays.scatter;
     }
 
-    /// Russian roulette: paths that carry less than Effort::kDim go on with a chance in proportion to what they carry.
-    bool survives(Path& path) {
+    /// Russian roulette: paths that carry less than Effort::kDim go on with a chance in proportion to what they carry. `number`: in
+    /// [0, 1), drawn if there is none.
+    bool survives(Path& path, float number = kNoNumber) {
         const float size = maxComponent(path.throughput) * path.etaScale;
         if (!(size > 0)) return false;
         if (path.depth < 2) return true;
         ++state_.work[Work::Roulettes];
         if (size >= Effort::kDim) return true;
         const float chance = std::max(size / Effort::kDim, kLeastChance);
-        const SampleBlock u = sampler_.block(sampleBlock(SampleUse::Light, path.depth - 1, path.branch, 63));
-        if (u.x >= chance) return false;
+        if (number == kNoNumber) number = sampler_.block(sampleBlock(SampleUse::Light, path.depth - 1, path.branch, 63)).x;
+        if (number >= chance) return false;
         path.throughput /= chance;
         record([&](PathRecord& r) { r.vertices[static_cast<std::size_t>(path.vertex)].chance *= static_cast<double>(chance); });
         return true;
@@ -340,8 +344,8 @@ class PathTracer {
             state_.layers->add(path.bounces == 0 ? smoothShares(material, point.wo, f.wi, point.eta) : path.shares, path.bounces == 0, value);
     }
 
-    [[gnu::noinline]] void addConnections(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance) {
-        const ConnectionVertex vertex{point, material, path.media, path.throughput, smoothChance, path.depth, path.branch, Effort::kMostSplits - path.splits};
+    [[gnu::noinline]] void addConnections(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance, float number) {
+        const ConnectionVertex vertex{point, material, path.media, path.throughput, smoothChance, number, path.depth, path.branch, Effort::kMostSplits - path.splits};
         const auto weight = [](double light, double bsdf) { return Heuristic::lightWeight(light, bsdf); };
         const auto take = [&](const Connection& found) {
             sum_ += found.value;
@@ -363,10 +367,10 @@ class PathTracer {
         return {};
     }
 
-    [[gnu::noinline]] void addHighlights(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance) {
+    [[gnu::noinline]] void addHighlights(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance, float number) {
         // The glossy surface scatters too.
         if (path.depth + 1 >= scene_.settings.maxDepth) return;
-        const HighlightVertex vertex{point.position, point.shape, highlightDrive(path.throughput, material), path.depth, path.branch};
+        const HighlightVertex vertex{point.position, point.shape, highlightDrive(path.throughput, material), number, path.depth, path.branch};
         drawHighlights(scene_, sampler_, vertex, state_.work, [&](const GlossySurface& surface, std::uint32_t number, std::uint32_t light, const HighlightAim& aim, double density) {
             const DVec3 apart = aim.point - point.position;
             const double distance = glm::length(apart);
