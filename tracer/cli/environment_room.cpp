@@ -130,7 +130,7 @@ double sunVisible(const DVec3& p) {
 
 DVec3 irradiance(const Hit& hit) {
     // Corners get less of the light that bounces.
-    const DVec3 gap = glm::min(hit.p - kLow, kHigh - hit.p) + 2.0 * glm::abs(hit.n);
+    const DVec3 gap = glm::min(hit.p - kLow, kHigh - hit.p) + 2.0 * absolute(hit.n);
     DVec3 sum = kBounce * (1 - 0.3 * std::exp(-gap.x / 0.5)) * (1 - 0.3 * std::exp(-gap.y / 0.5)) *
                 (1 - 0.3 * std::exp(-gap.z / 0.5));
     for (const Window& window : kWindows) sum += kWindowRadiance * windowIrradiance(window, hit);

@@ -28,7 +28,7 @@ class CameraModel {
         perPixelX_ = right * (2 * halfHeight * aspect / width);
         perPixelY_ = -up * (2 * halfHeight / height);
         corner_ = right * (-halfHeight * aspect) + up * halfHeight;
-        halfFilm_ = halfHeight * (aspect * glm::abs(right) + glm::abs(up));
+        halfFilm_ = halfHeight * (aspect * absolute(right) + absolute(up));
         lensX_ = right * camera.apertureRadius;
         lensY_ = up * camera.apertureRadius;
         hasLens_ = camera.apertureRadius > 0;
@@ -60,8 +60,8 @@ class CameraModel {
 
     /// Half the box about position() in which rays start, for film positions up to `margin` pixels outside the film.
     [[nodiscard]] DVec3 reach(double margin) const {
-        DVec3 out = glm::abs(lensX_) + glm::abs(lensY_);
-        if (orthographic_) out += halfFilm_ + margin * (glm::abs(perPixelX_) + glm::abs(perPixelY_));
+        DVec3 out = absolute(lensX_) + absolute(lensY_);
+        if (orthographic_) out += halfFilm_ + margin * (absolute(perPixelX_) + absolute(perPixelY_));
         return out;
     }
 

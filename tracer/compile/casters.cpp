@@ -43,7 +43,7 @@ bool isShared(const std::vector<ShapeInstance>& shapes, std::uint32_t one) {
     for (std::uint32_t i = 0; i < shapes.size(); ++i) {
         if (i == one || !shapes[i].dielectric) continue;
         if (std::holds_alternative<CanonicalPlane>(shapes[i].shape)) return true;
-        const DVec3 apart = glm::abs(shapes[i].center - shapes[one].center) - shapes[i].halfSize();
+        const DVec3 apart = absolute(shapes[i].center - shapes[one].center) - shapes[i].halfSize();
         if (maxComponent(apart - (1 - kTouch) * half) < 0) return true;
     }
     return false;

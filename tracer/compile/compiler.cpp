@@ -58,7 +58,7 @@ std::shared_ptr<const Image> missingImage() {
 constexpr double kLeastLength = 1e-90, kMostLength = 1e90;
 constexpr const char* kLengthRemedy = "scale the scene: lengths from 1e-90 to 1e90 m can be computed with";
 
-[[nodiscard]] double largest(const DVec3& v) { return maxComponent(glm::abs(v)); }
+[[nodiscard]] double largest(const DVec3& v) { return maxComponent(absolute(v)); }
 
 /// Why no picture can be taken with this camera, if so. Files are checked on loading; this holds for scenes made otherwise.
 std::optional<Error> cameraProblem(const Camera& camera) {
@@ -225,7 +225,7 @@ class Compiler {
                 else return s.halfExtents();
             },
             shape);
-        return glm::abs(linear[0]) * half.x + glm::abs(linear[1]) * half.y + glm::abs(linear[2]) * half.z;
+        return absolute(linear[0]) * half.x + absolute(linear[1]) * half.y + absolute(linear[2]) * half.z;
     }
 
     void addShape(ObjectId id, const Object& object, const Affine& world, std::vector<ShapeInstance>& to) {
@@ -390,7 +390,7 @@ class Compiler {
         double radius2 = 0;
         for (const ShapeInstance& shape : out_->shapes) {
             if (std::holds_alternative<CanonicalPlane>(shape.shape)) continue;
-            const DVec3 reach = glm::abs(shape.center) + glm::abs(shape.worldFromLocal[0]) + glm::abs(shape.worldFromLocal[1]) + glm::abs(shape.worldFromLocal[2]);
+            const DVec3 reach = absolute(shape.center) + absolute(shape.worldFromLocal[0]) + absolute(shape.worldFromLocal[1]) + absolute(shape.worldFromLocal[2]);
             radius2 = std::max(radius2, glm::dot(reach, reach));
         }
         return kPi * (radius2 > 0 ? radius2 : 1.0);

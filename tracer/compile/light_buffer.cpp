@@ -83,7 +83,7 @@ LightBuffers::LightBuffers(const LightTable& lights, const std::vector<ShapeInst
     double reach = 0;
     for (const ShapeInstance& shape : shapes)
         if (!std::holds_alternative<CanonicalPlane>(shape.shape))
-            reach = std::max(reach, glm::length(glm::abs(shape.center) + shape.halfSize()));
+            reach = std::max(reach, glm::length(absolute(shape.center) + shape.halfSize()));
     std::vector<std::optional<LightBuffer>> buffers;
     for (const CompiledLight& light : lights.lights) {
         const std::optional<LightPlace> place = placeOf(light, shapes);

@@ -49,14 +49,14 @@ class LightBuffer {
     }
     /// The cell that a vector from the light points to; -1: it has no direction.
     [[nodiscard, gnu::always_inline]] static int cell(const DVec3& to) {
-        const double sizeX = std::abs(to.x), sizeY = std::abs(to.y), sizeZ = std::abs(to.z);
+        const DVec3 sizes = absolute(to);
         int face = 4;
-        double along = to.z, size = sizeZ, x = to.x, y = to.y;
-        if (sizeX >= sizeY && sizeX >= sizeZ) {
-            if (!(sizeX > 0)) return -1;
-            face = 0, along = to.x, size = sizeX, x = to.y, y = to.z;
-        } else if (sizeY >= sizeZ) {
-            face = 2, along = to.y, size = sizeY, x = to.z, y = to.x;
+        double along = to.z, size = sizes.z, x = to.x, y = to.y;
+        if (sizes.x >= sizes.y && sizes.x >= sizes.z) {
+            if (!(sizes.x > 0)) return -1;
+            face = 0, along = to.x, size = sizes.x, x = to.y, y = to.z;
+        } else if (sizes.y >= sizes.z) {
+            face = 2, along = to.y, size = sizes.y, x = to.z, y = to.x;
         }
         const double scale = 1 / size;
         face += along < 0 ? 1 : 0;

@@ -17,7 +17,7 @@ bool touch(const Bounds& a, const Bounds& b) {
 /// A little larger than the shape, for the rounding of places that should coincide.
 Bounds boundsOf(const ShapeInstance& shape) {
     constexpr double kSlack = 1e-9;
-    const DVec3 half = shape.halfSize(), slack = kSlack * (half + glm::abs(shape.center));
+    const DVec3 half = shape.halfSize(), slack = kSlack * (half + absolute(shape.center));
     return {shape.center - half - slack, shape.center + half + slack};
 }
 

@@ -55,7 +55,7 @@ bool ShapeLists::cullBlocks(const RayBundle& bundle, FewShapes& few) const {
         const DMat3 axes = glm::inverse(entry.localFromWorld);
         const DVec3 half = kExtentMargin * localHalf(entry.shape);
         const auto extent = [&](const DVec3& normal) {
-            return glm::dot(glm::abs(normal * axes), half);
+            return glm::dot(absolute(normal * axes), half);
         };
         if (!bundle.misses(entry.center, extent)) addLane(to.boxes, few.boxes, block, lane, slot);
     };
@@ -75,7 +75,7 @@ bool ShapeLists::cullBlocks(const RayBundle& bundle, FewShapes& few) const {
             const Bounds box = childBounds(node, i);
             const DVec3 half = 0.5 * (box.upper - box.lower);
             const auto extent = [&](const DVec3& normal) {
-                return kExtentMargin * glm::dot(glm::abs(normal), half);
+                return kExtentMargin * glm::dot(absolute(normal), half);
             };
             if (bundle.misses(0.5 * (box.lower + box.upper), extent)) continue;
             if (!(child & kLeafBit)) {

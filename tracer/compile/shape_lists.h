@@ -53,7 +53,7 @@ struct ShapeInstance {
     [[nodiscard]] DVec3 halfSize() const;
     /// Whether that box meets the box `half` about `p`.
     [[nodiscard]] bool mayReach(const DVec3& p, const DVec3& half) const {
-        return glm::all(glm::lessThanEqual(glm::abs(p - center), half + halfSize()));
+        return glm::all(glm::lessThanEqual(absolute(p - center), half + halfSize()));
     }
 };
 

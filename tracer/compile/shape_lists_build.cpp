@@ -24,8 +24,8 @@ DVec3 localHalf(const CanonicalShape& shape) {
 DVec3 ShapeInstance::halfSize() const {
     if (std::holds_alternative<CanonicalPlane>(shape)) return DVec3(kInfinity);
     const DVec3 half = localHalf(shape);
-    return glm::abs(worldFromLocal[0]) * half.x + glm::abs(worldFromLocal[1]) * half.y +
-           glm::abs(worldFromLocal[2]) * half.z;
+    return absolute(worldFromLocal[0]) * half.x + absolute(worldFromLocal[1]) * half.y +
+           absolute(worldFromLocal[2]) * half.z;
 }
 
 namespace {
@@ -57,7 +57,7 @@ bool inRange(double x) { return x >= 1 / kLargest && x <= kLargest; }
 /// Whether the error model holds for a shape.
 bool isFilterable(const ShapeInstance& instance) {
     if (std::holds_alternative<CanonicalPlane>(instance.shape)) return false;
-    if (!(maxComponent(glm::abs(instance.center)) <= kLargest)) return false;
+    if (!(maxComponent(absolute(instance.center)) <= kLargest)) return false;
     const DMat3 product = instance.localFromWorld * instance.worldFromLocal;
     const DVec3 half = localHalf(instance.shape);
     double least = kInfinity, most = 0;
@@ -82,7 +82,7 @@ BoundedShape bounded(const ShapeInstance& instance, std::uint32_t index) {
     for (int axis = 0; axis < 3; ++axis) {
         const DVec3 across = row(instance.worldFromLocal, axis);
         out.half[axis] = static_cast<float>(
-            (sphere ? glm::length(across) : glm::dot(glm::abs(across), half)) * (1 + 1e-6));
+            (sphere ? glm::length(across) : glm::dot(absolute(across), half)) * (1 + 1e-6));
     }
     return out;
 }
@@ -177,7 +177,7 @@ void ShapeLists::sortByKind(const std::vector<ShapeInstance>& instances) {
 
 void ShapeLists::measure(const ShapeInstance& instance) {
     const DMat3& m = instance.worldFromLocal;
-    reach_ = std::max(reach_, maxComponent(glm::abs(instance.center)));
+    reach_ = std::max(reach_, maxComponent(absolute(instance.center)));
     leastSize_ = std::min(leastSize_,
                           std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])}));
 }

@@ -20,7 +20,7 @@ bool isZero(const DVec3& v) { return v == DVec3(0.0); }
 
 /// Unit vector, also for lengths whose square overflows; zero for zero.
 DVec3 unit(const DVec3& v) {
-    const double largest = maxComponent(glm::abs(v));
+    const double largest = maxComponent(absolute(v));
     return largest > 0 ? glm::normalize(v / largest) : DVec3(0.0);
 }
 

@@ -36,6 +36,9 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
     if (!(std::abs(off) < 0x1p-17)) return glm::normalize(v);
     return v * (1 + off * (0.375 * off - 0.5));  // (1 + off)^(-1/2) but for 5/16 off^3: less than a rounding.
 }
+/// The size of each coordinate. Not by glm::abs(), whose branches guess signs wrong.
+[[nodiscard]] inline DVec3 absolute(const DVec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+[[nodiscard]] inline Vec3 absolute(const Vec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 /// At least the largest absolute coordinate.
 [[nodiscard]] inline double coordinateSum(const DVec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);

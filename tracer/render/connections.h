@@ -227,7 +227,7 @@ class Connections {
     }
     /// The point of a face's plane lies on the face.
     static bool holds(const ShapeInstance& box, const DVec3& p, int face) {
-        const DVec3 local = glm::abs(box.localPoint(p));
+        const DVec3 local = absolute(box.localPoint(p));
         const int axis = face / 2;
         return local[(axis + 1) % 3] < 1 && local[(axis + 2) % 3] < 1;
     }

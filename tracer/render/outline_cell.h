@@ -14,8 +14,8 @@
 
 namespace glint {
 
-/// Luminance of a difference, each channel by its size. Not by glm::abs(), whose branches guess signs wrong.
-[[nodiscard]] inline float lightOf(const Rgb& difference) { return luminance(Rgb(std::abs(difference.r), std::abs(difference.g), std::abs(difference.b))); }
+/// Luminance of a difference, each channel by its size.
+[[nodiscard]] inline float lightOf(const Rgb& difference) { return luminance(absolute(difference)); }
 
 /// What one ray through a point found.
 struct Probe {

@@ -175,7 +175,7 @@ class PathTracer {
         if (lit) {
             const auto [light, bsdf] = sampler_.blocks(sampleBlock(SampleUse::Light, path.depth, path.branch), own);
             u = bsdf;
-            spare = light.w;
+            if (smoothChance > 0) spare = light.w;
             if constexpr (has(F, Feature::Smooth) && kSamplesLights) addDirect(path, step, point, material, smoothChance, light);
         }
         if constexpr (kConnects)

@@ -38,7 +38,7 @@ struct CanonicalBox {
         return std::abs(p.x) < 1 && std::abs(p.y) < 1 && std::abs(p.z) < 1;
     }
     [[nodiscard]] int nearestFace(const DVec3& p) const {
-        const DVec3 a(std::abs(p.x), std::abs(p.y), std::abs(p.z));
+        const DVec3 a = absolute(p);
         const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
         return 2 * axis + (p[axis] > 0 ? 1 : 0);
     }
