@@ -66,14 +66,15 @@ constexpr double kSharp = 0.03;
 
 /// Highlights tried at a shape, in the mean over shapes (up to 64 of them), by a path that carries half of the camera's light.
 double usualTries(const HighlightTable& table, const std::vector<ShapeInstance>& shapes) {
+    std::vector<double> worth(table.surfaces.size());  // In the mean over lights.
+    for (std::size_t i = 0; i < table.worth.size(); ++i) worth[i % worth.size()] += table.byPower.probability(i / worth.size()) * table.worth[i];
     constexpr std::size_t kShapes = 64;
     const std::size_t stride = (shapes.size() + kShapes - 1) / kShapes;
     double tries = 0;
     int places = 0;
     for (std::size_t i = 0; i < shapes.size(); i += stride, ++places)
-        for (const HighlightLight& light : table.lights)
-            for (const GlossySurface& surface : table.surfaces)
-                if (surface.shape != i) tries += table.pickProbability(light) * table.chance(surface, light, shapes[i].center, 0.5f);
+        for (std::size_t s = 0; s < worth.size(); ++s)
+            if (table.surfaces[s].shape != i) tries += HighlightTable::chanceFrom(table.surfaces[s], 0.5 * worth[s], shapes[i].center);
     return tries / places;
 }
 /// Where fewer are tried, asking for them costs 4 to 11 % of the time and brings less; where more are, they bring up to 48 % of it.

@@ -53,8 +53,11 @@ struct HighlightTable {
     /// Probability of trying the highlight of `light` in `surface` from `from`, where the path carries `drive`: wider, fainter and
     /// farther ones bring less than their rays cost.
     [[nodiscard]] double chance(const GlossySurface& surface, const HighlightLight& light, const DVec3& from, float drive) const {
+        return chanceFrom(surface, static_cast<double>(drive) * worth[static_cast<std::size_t>(&light - lights.data()) * surfaces.size() + static_cast<std::size_t>(&surface - surfaces.data())], from);
+    }
+    /// The same where it is `q` beside the surface.
+    [[nodiscard]] static double chanceFrom(const GlossySurface& surface, double q, const DVec3& from) {
         constexpr double kLeast = 1e-3;
-        const double q = static_cast<double>(drive) * worth[static_cast<std::size_t>(&light - lights.data()) * surfaces.size() + static_cast<std::size_t>(&surface - surfaces.data())];
         const DVec3 apart = surface.center - from;
         const double far2 = glm::dot(apart, apart), near2 = surface.reach * surface.reach;
         if (!(far2 > near2)) return q < kLeast ? 0 : std::min(1.0, q);

@@ -25,8 +25,8 @@ struct UsualEffort {
     /// (glint-bench choices --only caustics): below 0.01 outdoor, 0.3 cornell, 0.85 still_life; 1.0 to 1.1 without caustics.
     static constexpr bool kConnects = true;
     /// Light is also looked for by way of its highlights in glossy surfaces, see highlights.h. Efficiency without to that with it
-    /// (glint-bench choices --only highlights): 0.56 rough_metal_room, 0.69 outdoor, 0.9 torus_field, up to 1.35 where highlights
-    /// light little.
+    /// (glint-bench choices --only highlights): 0.5 rough_metal_room, 0.6 outdoor and torus_field, 1.2 columns; 1.0 where they are
+    /// too few to be looked for.
     static constexpr bool kHighlights = true;
     /// A path that carries less than this is left to Russian roulette. Efficiency with 1 and 0.05 to that with it (glint-bench
     /// choices --only roulette), geometric means: 0.85 and 0.98.
