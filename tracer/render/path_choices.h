@@ -25,7 +25,7 @@ struct UsualEffort {
     /// (glint-bench choices --only caustics): below 0.01 outdoor, 0.3 cornell, 0.85 still_life; 1.0 to 1.1 without caustics.
     static constexpr bool kConnects = true;
     /// Light is also looked for by way of its highlights in glossy surfaces, see highlights.h. Efficiency without to that with it
-    /// (glint-bench choices --only highlights): 0.5 rough_metal_room, 0.6 outdoor and torus_field, 1.2 columns; 1.0 where they are
+    /// (glint-bench choices --only highlights): 0.5 rough_metal_room, 0.6 outdoor, 0.8 torus_field, 1.2 columns; 1.0 where they are
     /// too few to be looked for.
     static constexpr bool kHighlights = true;
     /// A path that carries less than this is left to Russian roulette. Efficiency with 1 and 0.05 to that with it (glint-bench
