@@ -68,13 +68,6 @@ BandWeights bandWeights(const Band& band) {
     return {m.zeroth - lower, lower};
 }
 
-/// The place in [0, 1] at which a density that goes linearly from a to b has the share `u` of its
-/// integral before it.
-double invertLinear(double u, double a, double b) {
-    const double denominator = a + std::sqrt(std::max(0.0, (1 - u) * a * a + u * b * b));
-    return denominator > 0 ? std::min(1.0, u * (a + b) / denominator) : 0.0;
-}
-
 /// The fraction t of a band at which the integral of ((1 - t) upper + t lower) sin(theta) from its
 /// start reaches `share` of `mass`, its value for the whole band. Halley's method from the solution
 /// for a linear density: two or three steps; error 1e-12, or 1e-4 within that much of a place where
@@ -86,7 +79,7 @@ double invertBand(const Band& band, double sinStart, double cosStart, double sin
         1e-4;  // Of the band. Convergence is cubic: after such a step the error is 1e-12.
     const double slope = (lower - upper) / band.width, target = share * mass;
     double low = 0, high = band.width;
-    double s = band.width * invertLinear(share, upper * sinStart, lower * sinEnd);
+    double s = band.width * invertLinearDensity(share, upper * sinStart, lower * sinEnd);
     for (int step = 0; step < kMaxSteps; ++step) {
         const SineMoments m = sineMoments(sinStart, cosStart, s);
         const double error = upper * m.zeroth + slope * m.first - target;
@@ -298,7 +291,7 @@ EnvironmentMap::Column EnvironmentMap::sampleColumn(double u, const PieceRange& 
         const double right = blended(next), area = 0.5 * (left + right);
         if (sum + area > target || x == last) {
             const double share = area > 0 ? std::min(1.0, (target - sum) / area) : 0.0;
-            const double fx = invertLinear(share, left, right);
+            const double fx = invertLinearDensity(share, left, right);
             return {x, next, fx, (1 - fx) * left + fx * right};
         }
         sum += area;

@@ -122,7 +122,7 @@ class EnvironmentMap {
     /// Integral of the weights times sin(theta) d theta from the top to the start of each band; a
     /// band lies between the centres of two texel rows, or between a pole and the row beside it.
     std::vector<double> bands_;
-    std::vector<std::uint32_t> bandGuide_;
+    std::vector<std::uint32_t> bandGuide_;  ///< into bands_
     std::vector<DVec2> bandStarts_;  ///< sine and cosine of theta where each band starts, and at the end
     double pdfPerWeight_ = 0;
 };
