@@ -275,7 +275,7 @@ TEST(ShapeLists, HierarchiesBeyondTheCacheAnswerAsTheLoop) {
     };
     for (const SceneKind& kind : kinds) {
         Random random(5);
-        const std::vector<ShapeInstance> shapes = makeShapes(kind, 500000, random);
+        const std::vector<ShapeInstance> shapes = makeShapes(kind, 600000, random);
         const std::vector<Subject> subjects = makeSubjects(shapes);
         for (const Subject& s : subjects)
             EXPECT_GT(s.lists.blockCounts().total() / kBlockSize, kCachedNodes) << kind.name;
@@ -420,12 +420,16 @@ TEST(ShapeLists, AHitAtTheLimitIsNone) {
     }
 }
 
-TEST(ShapeLists, TheHierarchyTakesAtMost64BytesAShape) {
+TEST(ShapeLists, TheHierarchyTakesAtMost64BytesAShapeAndWithItABall) {
     Random random(7);
     for (const SceneKind& kind : kKinds) {
         const std::size_t count = 20000;
         const ShapeLists lists(makeShapes(kind, count, random));
-        EXPECT_LE(lists.memory().hierarchy, 64 * count) << kind.name;
+        const auto [hierarchy, shapes] = lists.memory();
+        EXPECT_LE(hierarchy, 64 * count) << kind.name;
+        if (kind.ballsOnly) {
+            EXPECT_LE(hierarchy + shapes, 64 * count) << kind.name;
+        }
     }
 }
 

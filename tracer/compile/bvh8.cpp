@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <bit>
+#include <numeric>
 #include <span>
 #include <thread>
 
@@ -14,6 +15,9 @@ namespace glint {
 namespace {
 
 constexpr int kBins = 16;
+/// A range that is no larger is cut by looking at every cut, so that its leaves come out full; one
+/// that is no larger than kManyAxes, along every axis.
+constexpr std::uint32_t kSwept = 512, kManyAxes = 64;
 /// A range of both kinds that is no larger is parted by kind, so that its leaves come out full.
 constexpr std::uint32_t kPartByKind = 16;
 /// From here on halves are taken by count, which bounds the depth by twice this (kMaxTreeDepth).
@@ -36,6 +40,18 @@ struct Range {
 double blocks(std::uint32_t count) {
     return static_cast<double>((count + kBlockSize - 1) / kBlockSize);
 }
+
+/// A range that shapes are added to one by one.
+struct GrowingRange {
+    Bounds bounds = {};
+    std::uint32_t balls = 0, boxes = 0;
+    /// Answers with the cost of all together.
+    double add(const BoundedShape& s) {
+        bounds.add(s);
+        ++(s.index & kBallBit ? balls : boxes);
+        return bounds.area() * (blocks(balls) + blocks(boxes));
+    }
+};
 
 /// A node of the binary tree, which the wide one is made from.
 struct BinaryNode {
@@ -114,6 +130,41 @@ class Builder {
         return cut;
     }
 
+    /// The cut of least cost between the shapes in their order along an axis.
+    struct Sweep {
+        double cost = kInfinity;
+        std::uint32_t cut = 1;
+        std::array<std::uint16_t, kSwept> order{};  ///< places in the range
+    };
+    [[nodiscard]] Sweep sweepAlong(const Range& r, int axis) const {
+        const auto list = shapes_.subspan(r.begin, r.count());
+        Sweep out;
+        const auto order = std::span(out.order).first(list.size());
+        std::iota(order.begin(), order.end(), std::uint16_t{0});
+        std::ranges::stable_sort(order, {}, [&](std::uint16_t i) { return list[i].center[axis]; });
+        std::array<double, kSwept> right;
+        GrowingRange sum;
+        for (std::uint32_t i = r.count(); i-- > 1;) right[i] = sum.add(list[order[i]]);
+        sum = {};
+        for (std::uint32_t i = 1; i < r.count(); ++i)
+            if (const double cost = sum.add(list[order[i - 1]]) + right[i]; cost < out.cost)
+                out.cost = cost, out.cut = i;
+        return out;
+    }
+
+    /// Parts few shapes by the best of all cuts.
+    std::pair<Range, Range> sweep(const Range& r, int longestAxis) {
+        Sweep best = sweepAlong(r, longestAxis);
+        for (int axis = 0; axis < 3 && r.count() <= kManyAxes; ++axis)
+            if (axis != longestAxis)
+                if (const Sweep other = sweepAlong(r, axis); other.cost < best.cost) best = other;
+        const auto list = shapes_.subspan(r.begin, r.count());
+        std::array<BoundedShape, kSwept> before;
+        std::ranges::copy(list, before.begin());
+        for (std::size_t i = 0; i < list.size(); ++i) list[i] = before[best.order[i]];
+        return {measure(r.begin, r.begin + best.cut), measure(r.begin + best.cut, r.end)};
+    }
+
     template <class GoesLeft>
     std::pair<Range, Range> part(const Range& r, GoesLeft&& goesLeft) {
         const auto list = shapes_.subspan(r.begin, r.count());
@@ -132,9 +183,11 @@ class Builder {
                          : extent.y >= extent.z                       ? 1
                                                                       : 2;
         const Binning binning{axis, r.centers.lower[axis], kBins * (1 - 1e-9) / extent[axis]};
-        if (depth < kMedianDepth && std::isfinite(binning.scale))
+        if (depth < kMedianDepth && std::isfinite(binning.scale)) {
+            if (r.count() <= kSwept) return sweep(r, axis);
             if (const int cut = chooseCut(r, binning); cut > 0)
                 return part(r, [&](const BoundedShape& s) { return binning.bin(s) < cut; });
+        }
         return splitByCount(r, axis);
     }
 

@@ -1,8 +1,9 @@
 // Builds the hierarchy over blocks of shapes: up to eight children a node, up to eight shapes of
-// one kind a leaf. A binary tree by the binned surface-area heuristic (Wald, "On fast Construction
-// of SAH-based Bounding Volume Hierarchies", 2007), which counts blocks instead of shapes, is made
-// wide where that costs least (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs
-// Through Compressed Wide BVHs", HPG 2017, 3.1). Where shapes have only moved, refit() does.
+// one kind a leaf. A binary tree by the surface-area heuristic, which counts blocks instead of
+// shapes, binned (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007) down
+// to some hundred shapes and exact below, is made wide where that costs least (Ylitie, Karras,
+// Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017, 3.1).
+// Where shapes have only moved, refit() does.
 #pragma once
 
 #include <functional>

@@ -110,7 +110,7 @@ inline constexpr std::uint32_t kMostBlocks = 1u << 27;
 /// Walks of trees of more nodes (1 MB) look ahead, but not to the nodes of the top levels, which stay
 /// in the cache: so many lie before the others.
 inline constexpr std::size_t kCachedNodes = 8192;
-inline constexpr std::uint32_t kTopNodes = 256;
+inline constexpr std::uint32_t kTopNodes = 512;
 
 /// Paths from the root may not be longer.
 inline constexpr int kMaxTreeDepth = 56;
