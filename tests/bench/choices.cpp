@@ -52,7 +52,13 @@ struct NoHighlights : UsualEffort {
 };
 template <int kPercent>
 struct Roulette : UsualEffort {
-    static constexpr float kDim = 0.01f * kPercent;
+    static constexpr float kDim = 0.01f * kPercent, kDimBranch = kDim;
+};
+struct OneLight : UsualEffort {
+    static constexpr std::size_t kAllLights = 0;
+};
+struct EachLight : UsualEffort {
+    static constexpr bool kAllSized = true;
 };
 
 /// One way to trace a scene.
@@ -83,12 +89,15 @@ constexpr std::array kWays = {
     Way{"weights", "cutoff 0.5", trace<Cutoff<50>>},
     Way{"weights", "cutoff 0.25", trace<Cutoff<25>>},
     Way{"lights", "one by power", trace<UsualHeuristic>, chooseByPower},
+    Way{"lights", "one", trace<UsualHeuristic, OneLight>},
+    Way{"lights", "each of four", trace<UsualHeuristic, EachLight>},
     Way{"splitting", "none", trace<UsualHeuristic, Splits<0>>},
     Way{"splitting", "at the first", trace<UsualHeuristic, Splits<1>>},
     Way{"splitting", "at the first two", trace<UsualHeuristic, Splits<2>>},
     Way{"caustics", "no connections", trace<UsualHeuristic, NoConnections>},
     Way{"highlights", "none", trace<UsualHeuristic, NoHighlights>},
     Way{"roulette", "below 1", trace<UsualHeuristic, Roulette<100>>},
+    Way{"roulette", "below 0.25", trace<UsualHeuristic, Roulette<25>>},
     Way{"roulette", "below 0.05", trace<UsualHeuristic, Roulette<5>>},
 };
 

@@ -163,10 +163,10 @@ struct NoSplitting : UsualEffort {
     static constexpr int kMostSplits = 0;
 };
 struct NoRoulette : UsualEffort {
-    static constexpr float kDim = 0;
+    static constexpr float kDim = 0, kDimBranch = 0;
 };
 struct EarlyRoulette : UsualEffort {
-    static constexpr float kDim = 2;
+    static constexpr float kDim = 2, kDimBranch = 2;
 };
 
 /// A dim room with glass, a mirror and a lamp: paths are long, and split.
@@ -187,7 +187,7 @@ SceneBuilder roomWithGlass() {
 TEST(Effort, OfSplittingAndRouletteChangesNoMean) {  // T23
     SceneBuilder b = roomWithGlass();
     const auto scene = b.compile();
-    const int samples = test::fullRun() ? 1024 : 64;
+    const int samples = test::fullRun() ? 1024 : 96;
     const std::vector<double> usual = pixelMeans<BalanceHeuristic>(scene, samples);
     /// Mean difference in units of its own standard error, from the differences pixel by pixel.
     const auto deviation = [&](const std::vector<double>& other) {

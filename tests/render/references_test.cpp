@@ -27,7 +27,7 @@ struct PowerHeuristic {
 };
 struct NoEffort : UsualEffort {
     static constexpr int kMostSplits = 0;
-    static constexpr float kDim = 0;
+    static constexpr float kDim = 0, kDimBranch = 0;
 };
 
 std::filesystem::path fileOf(const std::string& scene, const std::string& ending) {

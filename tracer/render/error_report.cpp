@@ -22,7 +22,7 @@ struct PowerHeuristic {
 };
 struct PlainEffort : UsualEffort {
     static constexpr int kMostSplits = 0;
-    static constexpr float kDim = 0.05f;
+    static constexpr float kDim = 0.05f, kDimBranch = 0.05f;
 };
 
 /// References are means of this many independent renders, from whose spread their own uncertainty is known.

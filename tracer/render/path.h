@@ -37,8 +37,6 @@ class PathTracer {
     static constexpr bool kConnects = Effort::kConnects && has(F, Feature::Casters);
     static constexpr bool kHighlights = Effort::kHighlights && has(F, Feature::Highlights);
     static constexpr bool kLightsMayBePassed = has(F, Feature::Straight) && has(F, Feature::AreaLights);
-    /// Up to this many lights, each is sampled at the first vertex with a smooth part.
-    static constexpr std::size_t kAllLights = 4;
     /// Hidden boundaries count as no interaction; this many in a row mean a path caught in rounding.
     static constexpr int kMaxHidden = 256;
     static constexpr float kLeastChance = 0.05f;
@@ -208,16 +206,16 @@ class PathTracer {
                 leave(path, point, s.wi, false);
                 if (!path.media.empty()) path.drive = 0;
                 if constexpr (kConnects) path.chain = ChainProgress::start(scene_, point.shape, path.media, path.pdf, drive);
-            } else {
-                return false;
+                return survives(path, Effort::kDim, spare);
             }
+            return false;
         } else {
             const DeltaBranch& branch = branches.pick(choice - material.smoothAlbedo);
             recordBranch(path, point, branch, static_cast<double>(Branches::size(branch) / total));
             path.throughput *= branch.weight * (total / Branches::size(branch));
             takeBranch(path, point, branch, branches.chanceOf(material, point.wo, sameSide(point.wo, branch.wi)));
+            return survives(path, Effort::kDimBranch, spare);
         }
-        return survives(path, spare);
     }
 
     /// Both ways, each with its whole weight, instead of a coin: one to its end, then the other goes on.
@@ -226,14 +224,14 @@ class PathTracer {
         other.branch += 1U << path.splits;
         ++path.splits;
         ++other.splits;
-        other.throughput *= branches.at[1].weight;
-        recordBranch(other, point, branches.at[1], 1);
-        takeBranch(other, point, branches.at[1], 1);
-        if (survives(other)) follow(other);
-        path.throughput *= branches.at[0].weight;
-        recordBranch(path, point, branches.at[0], 1);
-        takeBranch(path, point, branches.at[0], 1);
-        return survives(path);
+        if (takeWhole(other, point, branches.at[1])) follow(other);
+        return takeWhole(path, point, branches.at[0]);
+    }
+    bool takeWhole(Path& path, const SurfacePoint& point, const DeltaBranch& branch) {
+        path.throughput *= branch.weight;
+        recordBranch(path, point, branch, 1);
+        takeBranch(path, point, branch, 1);
+        return roulette(path, Effort::kDimBranch);
     }
 
     /// `chance`: of this direction among all that the path could have taken.
@@ -263,15 +261,18 @@ class PathTracer {
         ++state_.rays.scatter;
     }
 
-    /// Russian roulette: paths that carry less than Effort::kDim go on with a chance in proportion to what they carry. `number`: in
-    /// [0, 1), drawn if there is none.
-    bool survives(Path& path, float number = kNoNumber) {
+    /// Whether the path goes on: surely to its second surface, beyond as roulette() says.
+    bool survives(Path& path, float dim, float number) { return path.depth < 2 ? !isBlack(path.throughput) : roulette(path, dim, number); }
+
+    /// Russian roulette: paths that carry less than `dim` go on with a chance in proportion to what they carry, to a last light surely.
+    /// `number`: in [0, 1), drawn if there is none.
+    bool roulette(Path& path, float dim, float number = kNoNumber) {
         const float size = maxComponent(path.throughput) * path.etaScale;
         if (!(size > 0)) return false;
-        if (path.depth < 2) return true;
+        if (path.depth >= scene_.settings.maxDepth) return true;
         ++state_.work[Work::Roulettes];
-        if (size >= Effort::kDim) return true;
-        const float chance = std::max(size / Effort::kDim, kLeastChance);
+        if (size >= dim) return true;
+        const float chance = std::max(size / dim, kLeastChance);
         if (number == kNoNumber) number = sampler_.block(sampleBlock(SampleUse::Light, path.depth - 1, path.branch, 63)).x;
         if (number >= chance) return false;
         path.throughput /= chance;
@@ -279,9 +280,10 @@ class PathTracer {
         return true;
     }
 
-    /// Every light at the first vertex with a smooth part, one chosen by power behind it.
+    /// Every light at the first vertex with a smooth part, see Effort::kAllLights; one chosen by power behind it.
     [[nodiscard]] bool sampleAll(const Path& path) const {
-        return !path.scattered && scene_.lights.lights.size() <= kAllLights;
+        return (Effort::kAllSized || has(F, Feature::DeltaLights)) && !path.scattered && scene_.lights.lights.size() <= Effort::kAllLights &&
+               (Effort::kAllSized || has(scene_.features, Feature::DeltaLights));
     }
 
     /// `u`: the numbers of the first light, or of the one that is chosen.
@@ -367,10 +369,10 @@ class PathTracer {
         return {};
     }
 
-    [[gnu::noinline]] void addHighlights(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance, float number) {
+    [[gnu::noinline]] void addHighlights(const Path& path, const SurfacePoint& point, const CompiledMaterial& material, float smoothChance, float spare) {
         // The glossy surface scatters too.
         if (path.depth + 1 >= scene_.settings.maxDepth) return;
-        const HighlightVertex vertex{point.position, point.shape, highlightDrive(path.throughput, material), number, path.depth, path.branch};
+        const HighlightVertex vertex{point.position, point.shape, highlightDrive(path.throughput, material), spare, path.depth, path.branch};
         drawHighlights(scene_, sampler_, vertex, state_.work, [&](const GlossySurface& surface, std::uint32_t number, std::uint32_t light, const HighlightAim& aim, double density) {
             const DVec3 apart = aim.point - point.position;
             const double distance = glm::length(apart);

@@ -18,8 +18,8 @@ struct BalanceHeuristic {
 /// How much a path may cost: changes noise and time, never the mean. Tests put others in its place.
 struct UsualEffort {
     /// Both ways are followed at a path's first smooth dielectrics, up to so many, not one by chance. Efficiency with none and with one
-    /// to that with it (glint-bench choices --only splitting): 0.83 and 0.83 glass_study, 0.78 and 0.84 cornell, 0.75 and 1.00
-    /// still_life, 0.54 and 1.01 outdoor, 0.01 and 0.03 glass_in_sun; 1.00 to 1.02 where there is no glass.
+    /// to that with it (glint-bench choices --only splitting --width 40 --runs 40): 0.77 and 0.91 glass_study, 0.77 and 0.91 cornell,
+    /// 0.64 and 0.87 still_life, 0.73 and 0.91 outdoor, 0.39 and 0.63 glass_in_sun; 1.0 where there is no glass.
     static constexpr int kMostSplits = kSplitBits;
     /// Light is also looked for by way of perfect balls and faces, see connections.h. Efficiency without to that with it
     /// (glint-bench choices --only caustics): below 0.01 outdoor, 0.3 cornell, 0.85 still_life; 1.0 to 1.1 without caustics.
@@ -28,9 +28,15 @@ struct UsualEffort {
     /// (glint-bench choices --only highlights): 0.5 rough_metal_room, 0.6 outdoor, 0.8 torus_field, 1.2 columns; 1.0 where they are
     /// too few to be looked for.
     static constexpr bool kHighlights = true;
-    /// A path that carries less than this is left to Russian roulette. Efficiency with 1 and 0.05 to that with it (glint-bench
-    /// choices --only roulette), geometric means: 0.85 and 0.98.
-    static constexpr float kDim = 0.25f;
+    /// A path that carries less than this behind a surface that scatters, and behind one that does not, is left to Russian roulette.
+    /// Efficiency with 1, 0.25 and 0.05 for both to that with it (glint-bench choices --only roulette), geometric means: 0.64, 0.97 and
+    /// 0.95.
+    static constexpr float kDim = 0.25f, kDimBranch = 0.15f;
+    /// Of up to so many lights, each is sampled at the first surface that scatters, not one by choice, if some have no size: there
+    /// little else makes noise. kAllSized: if none has, too. Efficiency with one to that with it (glint-bench choices --only lights):
+    /// 1.04 columns, 0.5 to 0.9 under two to three point lights; with each anyway 0.82 still_life, 0.95 materials.
+    static constexpr std::size_t kAllLights = 4;
+    static constexpr bool kAllSized = false;
 };
 
 using UsualHeuristic = BalanceHeuristic;
