@@ -55,11 +55,6 @@ ShapePoint measureShapes(const ScaleOptions& options, std::size_t count, FieldOf
     const ShapeLists lists(shapes);
     ShapePoint out;
     out.buildSeconds = watch.wallSeconds();
-    const std::vector<ShapeInstance> before = shapes;
-    shapes.front().center.x += 0.01 * kHalfSize;
-    const Stopwatch moved;
-    static_cast<void>(lists.moved(before, shapes));
-    out.moveSeconds = moved.wallSeconds();
     const MediaStack media;
     WorkCounts work;
     for (const BenchRay& r : rays) static_cast<void>(lists.closest(r.ray, media, kInfinity, work));
@@ -68,6 +63,11 @@ ShapePoint measureShapes(const ScaleOptions& options, std::size_t count, FieldOf
     out.nodes = static_cast<double>(work[Work::NodeVisits]) / static_cast<double>(rays.size());
     double sum = 0;  // Keeps the answers from being optimised away.
     out.nanoseconds = 1e9 * secondsARay(options.runs, rays, [&](const BenchRay& r) { sum += lists.closest(r.ray, media, kInfinity, work).found(); });
+    const std::vector<ShapeInstance> before = shapes;
+    shapes.front().center.x += 0.01 * kHalfSize;
+    const Stopwatch moved;
+    static_cast<void>(lists.moved(before, shapes));
+    out.moveSeconds = moved.wallSeconds();
     const ShapeLists::Memory memory = lists.memory();
     out.hierarchyBytes = static_cast<double>(memory.hierarchy) / n;
     out.shapeBytes = static_cast<double>(memory.shapes) / n;
