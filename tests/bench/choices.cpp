@@ -131,7 +131,7 @@ void measure(const Way& way, RenderScene scene, int spp, int seed, const Referen
 bool isWanted(const ChoicesOptions& options, const Way& way) { return options.only.empty() || way.choice == options.only || &way == kWays.data(); }
 
 Result<std::vector<Figures>> measureAll(const ChoicesOptions& options, const std::string& file) {
-    const Result<LoadedScene> loaded = loadScaled(file, options.width);
+    const Result<LoadedScene> loaded = loadScaled(file, options.width, [](Scene& scene) { scene.render.integrator = Integrator::Path; });
     if (!loaded) return loaded.error();
     ErrorReportSettings settings;
     settings.lastPower = static_cast<int>(std::ceil(std::log2(options.spp)));

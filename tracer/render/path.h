@@ -262,7 +262,7 @@ class PathTracer {
     }
 
     /// Whether the path goes on: surely to its second surface, beyond as roulette() says.
-    bool survives(Path& path, float dim, float number) { return path.depth < 2 ? !isBlack(path.throughput) : roulette(path, dim, number); }
+    bool survives(Path& path, float dim, float number) { return path.depth < 2 ? maxComponent(path.throughput) > 0 : roulette(path, dim, number); }
 
     /// Russian roulette: paths that carry less than `dim` go on with a chance in proportion to what they carry, to a last light surely.
     /// `number`: in [0, 1), drawn if there is none.
@@ -280,10 +280,10 @@ class PathTracer {
         return true;
     }
 
-    /// Every light at the first vertex with a smooth part, see Effort::kAllLights; one chosen by power behind it.
+    /// Every light at the first vertex with a smooth part, see Effort::kAllLights; one by choice elsewhere.
     [[nodiscard]] bool sampleAll(const Path& path) const {
-        return (Effort::kAllSized || has(F, Feature::DeltaLights)) && !path.scattered && scene_.lights.lights.size() <= Effort::kAllLights &&
-               (Effort::kAllSized || has(scene_.features, Feature::DeltaLights));
+        const bool wanted = Effort::kAllSized || (has(F, Feature::DeltaLights) && has(scene_.features, Feature::DeltaLights));
+        return wanted && !path.scattered && scene_.lights.lights.size() <= Effort::kAllLights;
     }
 
     /// `u`: the numbers of the first light, or of the one that is chosen.
