@@ -14,12 +14,16 @@
 
 namespace {
 
-/// Saves a picture of the window some time after its start and quits: for looking at the editor without a person.
+/// Saves a picture of the window some time after its start and quits: for looking at the editor
+/// without a person.
 void takeScreenshotLater(QWidget* window, const QString& file, int milliseconds) {
-    QTimer::singleShot(milliseconds, window, [window, file] { QCoreApplication::exit(window->grab().save(file) ? 0 : 3); });
+    QTimer::singleShot(milliseconds, window, [window, file] {
+        QCoreApplication::exit(window->grab().save(file) ? 0 : 3);
+    });
 }
 
-/// Says on standard output that the first picture of the scene has been drawn, and quits: for measuring the start.
+/// Says on standard output that the first picture of the scene has been drawn, and quits: for
+/// measuring the start.
 void sayFirstPicture(glint::MainWindow& window) {
     // Queued: when it is said, the picture has been handed to the screen.
     QObject::connect(
@@ -62,32 +66,41 @@ int main(int argc, char** argv) {
     QApplication::setApplicationVersion(GLINT_VERSION);
 
     QCommandLineParser parser;
-    parser.setApplicationDescription(QApplication::translate("main", "Scene editor whose viewport is a ray tracer."));
+    parser.setApplicationDescription(
+        QApplication::translate("main", "Scene editor whose viewport is a ray tracer."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument("scene", QApplication::translate("main", "Scene file to open."), "[scene]");
-    QCommandLineOption screenshot("screenshot", {}, "file"), after("after", {}, "ms", "2000"), size("size", {}, "WxH"),
-        light("light"), language("language", {}, "code"), select("select", {}, "name"), firstPicture("first-picture");
-    for (QCommandLineOption* option : {&screenshot, &after, &size, &light, &language, &select, &firstPicture}) {
+    parser.addPositionalArgument("scene", QApplication::translate("main", "Scene file to open."),
+                                 "[scene]");
+    QCommandLineOption screenshot("screenshot", {}, "file"), after("after", {}, "ms", "2000"),
+        size("size", {}, "WxH"), light("light"), language("language", {}, "code"),
+        select("select", {}, "name"), firstPicture("first-picture");
+    for (QCommandLineOption* option :
+         {&screenshot, &after, &size, &light, &language, &select, &firstPicture}) {
         option->setFlags(QCommandLineOption::HiddenFromHelp);
         parser.addOption(*option);
     }
     parser.process(app);
 
     std::optional<glint::FileReading> scene;
-    if (const QStringList files = parser.positionalArguments(); !files.isEmpty()) scene = glint::readInBackground(glint::toPath(files.first()));
+    if (const QStringList files = parser.positionalArguments(); !files.isEmpty())
+        scene = glint::readInBackground(glint::toPath(files.first()));
     const bool visit = parser.isSet(screenshot);
     glint::MainWindow window(visit ? glint::Memory::None : glint::Memory::Settings, scene);
     if (visit) dress(window, parser.isSet(light), parser.value(language));
     const QStringList wanted = parser.value(size).split('x');
-    if (wanted.size() == 2) window.resize(wanted[0].toInt(), wanted[1].toInt());
-    else if (visit) window.resize(1440, 900);
-    else if (window.width() < 900) fitToScreen(window);
+    if (wanted.size() == 2)
+        window.resize(wanted[0].toInt(), wanted[1].toInt());
+    else if (visit)
+        window.resize(1440, 900);
+    else if (window.width() < 900)
+        fitToScreen(window);
     if (!scene && window.preferences().values().startPage) window.showStartPage();
     window.show();
     if (const QString selected = parser.value(select); !selected.isEmpty()) {
         selectByName(window, selected);
-        QObject::connect(&window.document(), &glint::Document::replaced, &window, [&window, selected] { selectByName(window, selected); });
+        QObject::connect(&window.document(), &glint::Document::replaced, &window,
+                         [&window, selected] { selectByName(window, selected); });
     }
     if (parser.isSet(firstPicture)) sayFirstPicture(window);
     if (visit) takeScreenshotLater(&window, parser.value(screenshot), parser.value(after).toInt());

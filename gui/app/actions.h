@@ -17,7 +17,8 @@ class Actions : public QObject {
     Q_OBJECT
 
   public:
-    /// Makes all actions and adds them to `window`, so that their keys work: those that the person chose, else the table's.
+    /// Makes all actions and adds them to `window`, so that their keys work: those that the person
+    /// chose, else the table's.
     Actions(QWidget* window, Memory memory);
 
     /// The action with this id of the table in actions.cpp.

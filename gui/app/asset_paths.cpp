@@ -7,15 +7,18 @@ namespace glint {
 std::string assetPath(const std::filesystem::path& asset, const std::filesystem::path& sceneFile) {
     const auto absolute = std::filesystem::absolute(asset).lexically_normal();
     if (sceneFile.empty()) return absolute.generic_string();
-    const auto relative = absolute.lexically_relative(std::filesystem::absolute(sceneFile).lexically_normal().parent_path());
+    const auto relative = absolute.lexically_relative(
+        std::filesystem::absolute(sceneFile).lexically_normal().parent_path());
     return (relative.empty() ? absolute : relative).generic_string();
 }
 
-Scene withAssetsFrom(Scene scene, const std::filesystem::path& from, const std::filesystem::path& sceneFile) {
+Scene withAssetsFrom(Scene scene, const std::filesystem::path& from,
+                     const std::filesystem::path& sceneFile) {
     const auto rebase = [&](std::string& path) {
         if (path.empty()) return false;
         const std::string rebased = assetPath(from / path, sceneFile);
-        if (std::filesystem::path(path).lexically_normal().generic_string() == rebased) return false;
+        if (std::filesystem::path(path).lexically_normal().generic_string() == rebased)
+            return false;
         path = rebased;
         return true;
     };

@@ -37,10 +37,13 @@ void removeFiles(const fs::path& copy) {
     fs::remove(besideCopy(copy, kOriginEnding), ignored);
 }
 
-/// The origin first: a copy never stands without one. Its assets are named by absolute paths, for it lies elsewhere.
-Status writeCopy(const fs::path& copy, const fs::path& original, Scene scene, const fs::path& assetFolder) {
+/// The origin first: a copy never stands without one. Its assets are named by absolute paths, for
+/// it lies elsewhere.
+Status writeCopy(const fs::path& copy, const fs::path& original, Scene scene,
+                 const fs::path& assetFolder) {
     const std::string origin = original.empty() ? std::string() : fs::absolute(original).string();
-    if (const Status written = writeWhole(besideCopy(copy, kOriginEnding), origin); !written) return written;
+    if (const Status written = writeWhole(besideCopy(copy, kOriginEnding), origin); !written)
+        return written;
     return saveScene(withAssetsFrom(std::move(scene), assetFolder, {}), copy);
 }
 
@@ -69,7 +72,8 @@ void Autosave::begin(const fs::path& folder) {
     std::error_code ignored;
     fs::create_directories(folder, ignored);
     folder_ = folder;
-    copy_ = folder / (QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString() + kCopyEnding);
+    copy_ =
+        folder / (QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString() + kCopyEnding);
     lock_ = lockOf(copy_);
     lock_->tryLock(0);
     onChanged();
@@ -87,7 +91,8 @@ void Autosave::end() {
 void Autosave::onChanged() {
     if (copy_.empty()) return;
     if (!document_.isModified()) return removeCopy();
-    if (delay_ && !timer_.isActive() && !(hasCopy_ && document_.committed() == written_)) timer_.start(*delay_);
+    if (delay_ && !timer_.isActive() && !(hasCopy_ && document_.committed() == written_))
+        timer_.start(*delay_);
 }
 
 void Autosave::removeCopy() {
@@ -105,7 +110,8 @@ void Autosave::write() {
     if (!document_.isModified()) return;
     written_ = document_.committed();
     hasCopy_ = true;
-    writing_ = QtConcurrent::run(writeCopy, copy_, document_.file(), written_, document_.assetFolder());
+    writing_ =
+        QtConcurrent::run(writeCopy, copy_, document_.file(), written_, document_.assetFolder());
     writing_.then(this, [this](const Status& status) { onWritten(status); });
 }
 
@@ -134,7 +140,8 @@ std::vector<Autosave::Leftover> Autosave::leftovers() const {
         const QFileInfo info(pathText(path));
         out.push_back({path, origin ? fs::path(origin.value()) : fs::path(), info.lastModified()});
     }
-    std::sort(out.begin(), out.end(), [](const Leftover& a, const Leftover& b) { return a.time > b.time; });
+    std::sort(out.begin(), out.end(),
+              [](const Leftover& a, const Leftover& b) { return a.time > b.time; });
     return out;
 }
 
@@ -142,8 +149,9 @@ Status Autosave::recover(const Leftover& leftover) {
     auto loaded = loadScene(leftover.copy);
     if (!loaded) return loaded.error();
     superseded_.push_back(leftover);
-    document_.replace(withAssetsFrom(std::move(loaded).value(), leftover.copy.parent_path(), leftover.original), leftover.original,
-                      Document::Origin::Recovered);
+    document_.replace(
+        withAssetsFrom(std::move(loaded).value(), leftover.copy.parent_path(), leftover.original),
+        leftover.original, Document::Origin::Recovered);
     timer_.stop();
     write();
     return Done{};

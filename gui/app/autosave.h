@@ -1,5 +1,6 @@
-// Autosave: keeps a copy of unsaved work on the disk, so that a crash or a kill loses at most half a minute, and finds the
-// copies that earlier runs left behind. The person's own file is never touched.
+// Autosave: keeps a copy of unsaved work on the disk, so that a crash or a kill loses at most half
+// a minute, and finds the copies that earlier runs left behind. The person's own file is never
+// touched.
 #pragma once
 
 #include <QDateTime>
@@ -30,7 +31,8 @@ class Autosave : public QObject {
 
     /// Keeps copies in `folder` from now on.
     void begin(const std::filesystem::path& folder);
-    /// From an unsaved edit until its copy is begun; writing takes well below a second more. None: no copies are made.
+    /// From an unsaved edit until its copy is begun; writing takes well below a second more. None:
+    /// no copies are made.
     void setDelay(std::optional<std::chrono::milliseconds> delay);
     /// The person gave the unsaved changes up: removes the copy and ends.
     void end();
@@ -59,11 +61,12 @@ class Autosave : public QObject {
 
     Document& document_;
     std::filesystem::path folder_, copy_;  ///< empty before begin()
-    std::unique_ptr<QLockFile> lock_;      ///< held while this run lives: tells a leftover from a copy in use
+    std::unique_ptr<QLockFile>
+        lock_;  ///< held while this run lives: tells a leftover from a copy in use
     QTimer timer_;
     QFuture<Status> writing_;
-    Scene written_;                        ///< what the copy holds
-    std::vector<Leftover> superseded_;     ///< recovered ones, removed with the next copy
+    Scene written_;                     ///< what the copy holds
+    std::vector<Leftover> superseded_;  ///< recovered ones, removed with the next copy
     std::optional<std::chrono::milliseconds> delay_;
     bool hasCopy_ = false, failing_ = false;
 };

@@ -14,10 +14,13 @@ class RenderView;
 class Selection;
 class ViewCommands;
 
-/// Undo and redo, named by what they take back, and the edits of the selection. With nothing selected, copy copies the picture.
-void bindEditCommands(Actions& actions, EditController& edits, QUndoStack& stack, Selection& selection, ObjectList& objects);
+/// Undo and redo, named by what they take back, and the edits of the selection. With nothing
+/// selected, copy copies the picture.
+void bindEditCommands(Actions& actions, EditController& edits, QUndoStack& stack,
+                      Selection& selection, ObjectList& objects);
 /// Moves of the view, overlays, exposure.
-void bindViewCommands(Actions& actions, ViewCommands& views, EditController& edits, RenderView& picture);
+void bindViewCommands(Actions& actions, ViewCommands& views, EditController& edits,
+                      RenderView& picture);
 /// The tools of the view, of which one is chosen, and snapping.
 void bindTools(Actions& actions, RenderView& picture);
 /// The sheet of shortcuts, the search for commands, and what this program is.

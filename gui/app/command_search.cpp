@@ -25,14 +25,15 @@ bool holdsLetters(const QString& text, const QString& wanted) {
     return true;
 }
 
-/// How well a command answers to the text: its name begins with it, a word of its name does, its name holds it, its explanation
-/// does, its name holds the letters; or kNoMatch.
+/// How well a command answers to the text: its name begins with it, a word of its name does, its
+/// name holds it, its explanation does, its name holds the letters; or kNoMatch.
 int rankOf(const QAction* action, const QString& text) {
     const QString name = Actions::plainText(action);
     if (name.startsWith(text, Qt::CaseInsensitive)) return 0;
     if (name.contains(' ' + text, Qt::CaseInsensitive)) return 1;
     if (name.contains(text, Qt::CaseInsensitive)) return 2;
-    if ((Actions::groupOf(action) + ' ' + action->statusTip()).contains(text, Qt::CaseInsensitive)) return 3;
+    if ((Actions::groupOf(action) + ' ' + action->statusTip()).contains(text, Qt::CaseInsensitive))
+        return 3;
     return holdsLetters(name, text) ? 4 : kNoMatch;
 }
 
@@ -45,7 +46,8 @@ QIcon emptyIcon(const QSize& size) {
 
 }  // namespace
 
-CommandSearch::CommandSearch(const Actions& actions, QWidget* parent) : QFrame(parent, Qt::Popup), actions_(actions) {
+CommandSearch::CommandSearch(const Actions& actions, QWidget* parent)
+    : QFrame(parent, Qt::Popup), actions_(actions) {
     setFrameShape(QFrame::StyledPanel);
     line_ = new QLineEdit(this);
     line_->setPlaceholderText(tr("Find a command"));
@@ -78,12 +80,16 @@ void CommandSearch::filter(const QString& text) {
     std::vector<QAction*> found;
     for (QAction* action : actions_.all())
         if (action->isEnabled() && rankOf(action, text) != kNoMatch) found.push_back(action);
-    std::stable_sort(found.begin(), found.end(), [&](const QAction* a, const QAction* b) { return rankOf(a, text) < rankOf(b, text); });
+    std::stable_sort(found.begin(), found.end(), [&](const QAction* a, const QAction* b) {
+        return rankOf(a, text) < rankOf(b, text);
+    });
     const QIcon none = emptyIcon(list_->iconSize());
     for (QAction* action : found) {
         const QString name = Actions::plainText(action);
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-        auto* item = new QListWidgetItem(action->icon().isNull() ? none : action->icon(), keys.isEmpty() ? name : QStringLiteral("%1   (%2)").arg(name, keys), list_);
+        auto* item = new QListWidgetItem(
+            action->icon().isNull() ? none : action->icon(),
+            keys.isEmpty() ? name : QStringLiteral("%1   (%2)").arg(name, keys), list_);
         item->setToolTip(action->statusTip());
         item->setData(Qt::UserRole, QVariant::fromValue(action));
     }

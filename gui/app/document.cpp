@@ -24,16 +24,20 @@ Document::Document(QObject* parent) : QObject(parent) {
 Document::~Document() { undoStack_.blockSignals(true); }
 
 std::filesystem::path Document::assetFolder() const {
-    return file_.empty() ? std::filesystem::current_path() : std::filesystem::absolute(file_).parent_path();
+    return file_.empty() ? std::filesystem::current_path()
+                         : std::filesystem::absolute(file_).parent_path();
 }
 
 const Scene* Document::sceneBefore() const {
     if (!undoStack_.canUndo()) return nullptr;
-    const auto* last = dynamic_cast<const SceneCommand*>(undoStack_.command(undoStack_.index() - 1));
+    const auto* last =
+        dynamic_cast<const SceneCommand*>(undoStack_.command(undoStack_.index() - 1));
     return last ? &last->before() : nullptr;
 }
 
-QString Document::title() const { return file_.empty() ? tr("Untitled") : pathText(file_.filename()); }
+QString Document::title() const {
+    return file_.empty() ? tr("Untitled") : pathText(file_.filename());
+}
 
 void Document::replace(Scene scene, const std::filesystem::path& file, Origin origin) {
     beforePreview_.reset();

@@ -1,5 +1,6 @@
-// Document: the scene that a window edits, a value, with its undo stack and file. Every view reads scene() and listens to
-// changed(); none keeps scene data of its own. Edits come in as whole new values (see tracer/scene/edit.h).
+// Document: the scene that a window edits, a value, with its undo stack and file. Every view reads
+// scene() and listens to changed(); none keeps scene data of its own. Edits come in as whole new
+// values (see tracer/scene/edit.h).
 #pragma once
 
 #include <QObject>
@@ -12,7 +13,8 @@
 
 namespace glint {
 
-/// Edits pushed one after another with the same key become one undo step; an empty key never merges.
+/// Edits pushed one after another with the same key become one undo step; an empty key never
+/// merges.
 using MergeKey = QString;
 
 class Document : public QObject {
@@ -25,7 +27,9 @@ class Document : public QObject {
     /// The scene as it is shown: with the preview of a running drag, if there is one.
     [[nodiscard]] const Scene& scene() const { return scene_; }
     /// The scene without a running preview.
-    [[nodiscard]] const Scene& committed() const { return beforePreview_ ? *beforePreview_ : scene_; }
+    [[nodiscard]] const Scene& committed() const {
+        return beforePreview_ ? *beforePreview_ : scene_;
+    }
     [[nodiscard]] QUndoStack& undoStack() { return undoStack_; }
     /// What undo would bring back; null if there is nothing to undo. Valid until the next edit.
     [[nodiscard]] const Scene* sceneBefore() const;
@@ -38,11 +42,13 @@ class Document : public QObject {
     [[nodiscard]] bool isModified() const { return !undoStack_.isClean(); }
 
     enum class Origin { Saved, Recovered };
-    /// Replaces everything by a new document and empties the undo stack. A recovered one counts as modified.
+    /// Replaces everything by a new document and empties the undo stack. A recovered one counts as
+    /// modified.
     void replace(Scene scene, const std::filesystem::path& file, Origin origin = Origin::Saved);
     /// While changed() tells of a whole new document: nothing in it is an edit.
     [[nodiscard]] bool isReplacing() const { return replacing_; }
-    /// The document now stands in `file` as it is. `scene` differs from scene() at most in relative paths.
+    /// The document now stands in `file` as it is. `scene` differs from scene() at most in relative
+    /// paths.
     void setSaved(const std::filesystem::path& file, Scene scene);
 
     /// One undo step named `text`; nothing happens if `after` equals committed(). Ends a preview.

@@ -44,13 +44,15 @@ Object objectAt(const ViewContext::Placement& place, const Shape& shape, std::st
     object.shape = shape;
     object.transform.translate = place.position + place.normal * reachBelow(shape);
     // Numbers that a person can read: a pixel is hardly ever finer than a millimetre.
-    for (int i = 0; i < 3; ++i) object.transform.translate[i] = std::round(object.transform.translate[i] * 1000) / 1000;
+    for (int i = 0; i < 3; ++i)
+        object.transform.translate[i] = std::round(object.transform.translate[i] * 1000) / 1000;
     return object;
 }
 
 }  // namespace
 
-EditController::EditController(Document& document, Selection& selection, RenderView& view, QObject* parent)
+EditController::EditController(Document& document, Selection& selection, RenderView& view,
+                               QObject* parent)
     : QObject(parent), document_(document), selection_(selection), view_(view) {}
 
 void EditController::remove() {
@@ -82,7 +84,8 @@ void EditController::copy() {
         if (item.kind == ItemKind::Camera && item.id != 0) cameras.push_back(CameraId{item.id});
     }
     if (objects.empty() && lights.empty() && cameras.empty()) return;
-    QGuiApplication::clipboard()->setText(toQString(formatObjects(document_.scene(), objects, lights, cameras)));
+    QGuiApplication::clipboard()->setText(
+        toQString(formatObjects(document_.scene(), objects, lights, cameras)));
 }
 
 void EditController::cut() {
@@ -91,7 +94,8 @@ void EditController::cut() {
 }
 
 void EditController::paste() {
-    auto pasted = pasteObjects(document_.committed(), QGuiApplication::clipboard()->text().toStdString());
+    auto pasted =
+        pasteObjects(document_.committed(), QGuiApplication::clipboard()->text().toStdString());
     if (!pasted.ok()) {
         emit refused(tr("The clipboard holds no objects: %1").arg(toQString(pasted.error())));
         return;
@@ -136,7 +140,8 @@ void EditController::showAll() {
     Scene scene = document_.committed();
     const auto show = [&](auto ids) {
         for (const auto id : ids)
-            if (!isVisible(scene, Item::of(id))) scene = withVisible(std::move(scene), Item::of(id), true);
+            if (!isVisible(scene, Item::of(id)))
+                scene = withVisible(std::move(scene), Item::of(id), true);
     };
     show(scene.objects.ids());
     show(scene.groups.ids());
@@ -146,7 +151,9 @@ void EditController::showAll() {
 
 void EditController::group() {
     std::vector<Item> items = topmost(document_.committed(), selection_.items());
-    std::erase_if(items, [](Item item) { return item.kind != ItemKind::Object && item.kind != ItemKind::Group; });
+    std::erase_if(items, [](Item item) {
+        return item.kind != ItemKind::Object && item.kind != ItemKind::Group;
+    });
     if (items.empty()) return;
     Group group;
     group.name = tr("Group").toStdString();
@@ -188,18 +195,24 @@ void EditController::fillAddMenu(QMenu* menu, std::function<QPointF()> placeAt) 
         if (kind == Mesh::kind) continue;  // Needs a file: it comes by drop or open.
         QAction* action = menu->addAction(icon("shape-" + toQString(kind)), labelOf(kind));
         action->setObjectName("add." + toQString(kind));
-        connect(action, &QAction::triggered, this, [this, kind, placeAt] { addShape(kind, placeAt()); });
+        connect(action, &QAction::triggered, this,
+                [this, kind, placeAt] { addShape(kind, placeAt()); });
     }
     menu->addSeparator();
-    connect(menu->addAction(icon("light-point"), tr("Ball light")), &QAction::triggered, this, [this, placeAt] { addBallLight(placeAt()); });
+    connect(menu->addAction(icon("light-point"), tr("Ball light")), &QAction::triggered, this,
+            [this, placeAt] { addBallLight(placeAt()); });
     for (const std::string_view kind : AllLights::kinds) {
-        QAction* action = menu->addAction(icon("light-" + toQString(kind)), tr("%1 light").arg(labelOf(kind)));
+        QAction* action =
+            menu->addAction(icon("light-" + toQString(kind)), tr("%1 light").arg(labelOf(kind)));
         action->setObjectName("add.light." + toQString(kind));
-        connect(action, &QAction::triggered, this, [this, kind, placeAt] { addLight(kind, placeAt()); });
+        connect(action, &QAction::triggered, this,
+                [this, kind, placeAt] { addLight(kind, placeAt()); });
     }
     menu->addSeparator();
-    connect(menu->addAction(icon("camera"), tr("Camera from view")), &QAction::triggered, this, &EditController::addCamera);
-    connect(menu->addAction(icon("group"), tr("Empty group")), &QAction::triggered, this, &EditController::addGroup);
+    connect(menu->addAction(icon("camera"), tr("Camera from view")), &QAction::triggered, this,
+            &EditController::addCamera);
+    connect(menu->addAction(icon("group"), tr("Empty group")), &QAction::triggered, this,
+            &EditController::addGroup);
 }
 
 void EditController::finishAdding(Scene scene, Item item, const QString& text) {
@@ -220,7 +233,8 @@ void EditController::addShape(std::string_view kind, const QPointF& at) {
 
 void EditController::addBallLight(const QPointF& at) {
     constexpr double kRadius = 0.3, kHeight = 2, kRadiance = 30;
-    Object object = objectAt(view_.context().placementAt(at), Sphere{kRadius}, tr("Ball light").toStdString());
+    Object object =
+        objectAt(view_.context().placementAt(at), Sphere{kRadius}, tr("Ball light").toStdString());
     object.transform.translate.y += kHeight;
     object.emission = {kRadiance, kRadiance, kRadiance};
     auto [scene, id] = withObject(document_.committed(), std::move(object));
@@ -233,7 +247,8 @@ void EditController::addLight(std::string_view kind, const QPointF& at) {
     AllLights::withKind(kind, [&](auto light) {
         if constexpr (requires { light.target; }) light.target = position - DVec3(0, kHeight, 0);
         if constexpr (requires { light.position; }) light.position = position;
-        auto [scene, id] = withLight(document_.committed(), Light{labelOf(kind).toStdString(), light});
+        auto [scene, id] =
+            withLight(document_.committed(), Light{labelOf(kind).toStdString(), light});
         finishAdding(std::move(scene), Item::of(id), tr("Add light"));
     });
 }

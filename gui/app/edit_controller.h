@@ -1,5 +1,5 @@
-// EditController: what the Edit and Add menus do: each command makes a new scene from the present one and the selection, and
-// hands it to the document with a name.
+// EditController: what the Edit and Add menus do: each command makes a new scene from the present
+// one and the selection, and hands it to the document with a name.
 #pragma once
 
 #include <QObject>
@@ -21,7 +21,8 @@ class EditController : public QObject {
     Q_OBJECT
 
   public:
-    EditController(Document& document, Selection& selection, RenderView& view, QObject* parent = nullptr);
+    EditController(Document& document, Selection& selection, RenderView& view,
+                   QObject* parent = nullptr);
 
     void remove();
     /// The copies follow the pointer if it is over the picture.
@@ -41,7 +42,8 @@ class EditController : public QObject {
     /// Makes one of `cameras` the active one; none: the scene's own.
     void lookThrough(CameraId camera);
 
-    /// Fills a menu with every shape and light; new things stand where `placeAt` says, in the view's pixels.
+    /// Fills a menu with every shape and light; new things stand where `placeAt` says, in the
+    /// view's pixels.
     void fillAddMenu(QMenu* menu, std::function<QPointF()> placeAt);
     void addShape(std::string_view kind, const QPointF& at);
     void addBallLight(const QPointF& at);

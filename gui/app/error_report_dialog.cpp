@@ -24,19 +24,23 @@ namespace {
 
 /// The measured picture's longer side [px], and what is measured on it.
 constexpr int kSide = 160;
-constexpr ErrorReportSettings kSettings{.firstPower = 0, .lastPower = 6, .seeds = 8, .threads = 0, .referenceFactor = 16};
+constexpr ErrorReportSettings kSettings{
+    .firstPower = 0, .lastPower = 6, .seeds = 8, .threads = 0, .referenceFactor = 16};
 /// The reference takes this share of the progress, being so much more work.
 constexpr double kReferenceShare = 0.6;
 
 Scene smaller(Scene scene) {
-    const double factor = static_cast<double>(kSide) / std::max(scene.film.width, scene.film.height);
+    const double factor =
+        static_cast<double>(kSide) / std::max(scene.film.width, scene.film.height);
     if (factor >= 1) return scene;
     scene.film.width = std::max(1, static_cast<int>(scene.film.width * factor));
     scene.film.height = std::max(1, static_cast<int>(scene.film.height * factor));
     return scene;
 }
 
-QString percent(const Interval& value) { return QString("%1 ± %2").arg(100 * value.mean, 0, 'g', 3).arg(100 * value.half, 0, 'g', 1); }
+QString percent(const Interval& value) {
+    return QString("%1 ± %2").arg(100 * value.mean, 0, 'g', 3).arg(100 * value.half, 0, 'g', 1);
+}
 
 }  // namespace
 
@@ -45,8 +49,10 @@ ErrorReportDialog::ErrorReportDialog(const Document& document, QWidget* parent)
     setWindowTitle(tr("Error report"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
-    connect(this, &ErrorReportDialog::progressed, progress_, &QProgressBar::setValue, Qt::QueuedConnection);
-    connect(this, &ErrorReportDialog::measured, this, &ErrorReportDialog::onMeasured, Qt::QueuedConnection);
+    connect(this, &ErrorReportDialog::progressed, progress_, &QProgressBar::setValue,
+            Qt::QueuedConnection);
+    connect(this, &ErrorReportDialog::measured, this, &ErrorReportDialog::onMeasured,
+            Qt::QueuedConnection);
     thread_ = std::jthread([this] { measure(); });
 }
 
@@ -54,8 +60,12 @@ ErrorReportDialog::~ErrorReportDialog() { stop_.store(true, std::memory_order_re
 
 void ErrorReportDialog::build() {
     auto* column = new QVBoxLayout(this);
-    state_ = new QLabel(tr("Measuring at %1 × %2 pixels: %3 renders of each number of samples against a reference by another estimator.")
-                            .arg(scene_.film.width).arg(scene_.film.height).arg(kSettings.seeds), this);
+    state_ = new QLabel(tr("Measuring at %1 × %2 pixels: %3 renders of each number of samples "
+                           "against a reference by another estimator.")
+                            .arg(scene_.film.width)
+                            .arg(scene_.film.height)
+                            .arg(kSettings.seeds),
+                        this);
     state_->setObjectName("errorReport.state");
     state_->setWordWrap(true);
     column->addWidget(state_);
@@ -70,7 +80,8 @@ void ErrorReportDialog::build() {
     table_ = new QTableWidget(0, 6, this);
     table_->setObjectName("errorReport.table");
     table_->setAccessibleName(windowTitle());
-    table_->setHorizontalHeaderLabels({tr("Samples"), tr("Time"), tr("relMSE"), tr("Mean error %"), tr("99th percentile %"), tr("Outliers %")});
+    table_->setHorizontalHeaderLabels({tr("Samples"), tr("Time"), tr("relMSE"), tr("Mean error %"),
+                                       tr("99th percentile %"), tr("Outliers %")});
     table_->verticalHeader()->hide();
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -98,11 +109,16 @@ QString ErrorReportDialog::measureScene() {
     const auto compiled = compile(scene_, assetFolder_, assets);
     if (!compiled) return toQString(compiled.error());
     const auto watch = [this](double from, double share) {
-        return ErrorReportWatch{&stop_, [this, from, share](double fraction) { emit progressed(static_cast<int>(100 * (from + share * fraction))); }};
+        return ErrorReportWatch{
+            &stop_, [this, from, share](double fraction) {
+                emit progressed(static_cast<int>(100 * (from + share * fraction)));
+            }};
     };
-    const auto reference = makeReference(compiled.value().scene, kSettings, watch(0, kReferenceShare));
+    const auto reference =
+        makeReference(compiled.value().scene, kSettings, watch(0, kReferenceShare));
     if (!reference) return {};
-    const auto report = measureErrors(compiled.value().scene, *reference, kSettings, watch(kReferenceShare, 1 - kReferenceShare));
+    const auto report = measureErrors(compiled.value().scene, *reference, kSettings,
+                                      watch(kReferenceShare, 1 - kReferenceShare));
     if (report) report_ = *report;
     return {};
 }
@@ -113,14 +129,18 @@ void ErrorReportDialog::onMeasured(const QString& error) {
     if (!error.isEmpty()) return state_->setText(error);
     QString text = tr("%1 × %2 pixels.").arg(scene_.film.width).arg(scene_.film.height) + ' ';
     if (report_.law)
-        text += tr("relMSE falls as samples to the power of %1 ± %2 (−1: as chance has it); efficiency 1 / (relMSE · time) is %3 per second.")
-                    .arg(report_.law->slope, 0, 'f', 2).arg(report_.law->slopeHalf, 0, 'f', 2).arg(report_.efficiency, 0, 'g', 3);
+        text += tr("relMSE falls as samples to the power of %1 ± %2 (−1: as chance has it); "
+                   "efficiency 1 / (relMSE · time) is %3 per second.")
+                    .arg(report_.law->slope, 0, 'f', 2)
+                    .arg(report_.law->slopeHalf, 0, 'f', 2)
+                    .arg(report_.efficiency, 0, 'g', 3);
     else
         text += tr("This picture has no noise that could be measured.");
     state_->setText(text);
     fillTable();
     const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    plot_->load(QByteArray::fromStdString(errorReportSvg({{tr("this scene").toStdString(), report_}}, tr("Error over time").toStdString(), dark)));
+    plot_->load(QByteArray::fromStdString(errorReportSvg(
+        {{tr("this scene").toStdString(), report_}}, tr("Error over time").toStdString(), dark)));
     plot_->renderer()->setAspectRatioMode(Qt::KeepAspectRatio);
     save_->setEnabled(true);
 }
@@ -129,8 +149,13 @@ void ErrorReportDialog::fillTable() {
     table_->setRowCount(static_cast<int>(report_.points.size()));
     int row = 0;
     for (const ErrorPoint& p : report_.points) {
-        const QString cells[] = {QString::number(p.spp), tr("%1 s").arg(p.seconds.mean, 0, 'g', 3),
-                                 QString("%1 ± %2").arg(p.relMse.mean, 0, 'g', 3).arg(p.relMse.half, 0, 'g', 1), percent(p.mape), percent(p.percentile99), percent(p.outlierShare)};
+        const QString cells[] = {
+            QString::number(p.spp),
+            tr("%1 s").arg(p.seconds.mean, 0, 'g', 3),
+            QString("%1 ± %2").arg(p.relMse.mean, 0, 'g', 3).arg(p.relMse.half, 0, 'g', 1),
+            percent(p.mape),
+            percent(p.percentile99),
+            percent(p.outlierShare)};
         int column = 0;
         for (const QString& cell : cells) {
             auto* item = new QTableWidgetItem(cell);

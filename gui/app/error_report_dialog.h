@@ -1,5 +1,6 @@
-// ErrorReportDialog: how the error of the current scene falls with samples and time, as a table and a plot (Render menu). Not
-// modal; the measuring is done on a thread of its own on a copy of the scene, so editing goes on meanwhile.
+// ErrorReportDialog: how the error of the current scene falls with samples and time, as a table and
+// a plot (Render menu). Not modal; the measuring is done on a thread of its own on a copy of the
+// scene, so editing goes on meanwhile.
 #pragma once
 
 #include <QDialog>
@@ -26,7 +27,8 @@ class ErrorReportDialog : public QDialog {
   public:
     /// Starts measuring at once.
     explicit ErrorReportDialog(const Document& document, QWidget* parent = nullptr);
-    /// Cancels and joins; a render looks at each path vertex, so that takes no time that a person notices.
+    /// Cancels and joins; a render looks at each path vertex, so that takes no time that a person
+    /// notices.
     ~ErrorReportDialog() override;
 
   signals:

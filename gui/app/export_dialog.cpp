@@ -29,12 +29,15 @@ struct SizePreset {
     int width, height;
 };
 #define T(text) QT_TRANSLATE_NOOP("ExportDialog", text)
-constexpr SizePreset kPresets[] = {{T("HD"), 1280, 720},      {T("Full HD"), 1920, 1080}, {T("4K UHD"), 3840, 2160},
-                                   {T("Square"), 1080, 1080}, {T("Portrait"), 1080, 1350}, {T("A4 at 300 dpi"), 3508, 2480}};
+constexpr SizePreset kPresets[] = {{T("HD"), 1280, 720},        {T("Full HD"), 1920, 1080},
+                                   {T("4K UHD"), 3840, 2160},   {T("Square"), 1080, 1080},
+                                   {T("Portrait"), 1080, 1350}, {T("A4 at 300 dpi"), 3508, 2480}};
 constexpr const char* kFormats[] = {".png", ".jpg", ".tif", ".exr", ".hdr"};
 #undef T
 
-int whole(const DragNumber* number) { return static_cast<int>(std::lround(number->value().value_or(1))); }
+int whole(const DragNumber* number) {
+    return static_cast<int>(std::lround(number->value().value_or(1)));
+}
 
 QString sizeText(int width, int height) { return QStringLiteral("%1 × %2").arg(width).arg(height); }
 
@@ -42,13 +45,15 @@ QWidget* rowOf(const std::vector<QWidget*>& widgets) {
     auto* out = new QWidget;
     auto* layout = new QHBoxLayout(out);
     layout->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* widget : widgets) layout->addWidget(widget, qobject_cast<QToolButton*>(widget) ? 0 : 1);
+    for (QWidget* widget : widgets)
+        layout->addWidget(widget, qobject_cast<QToolButton*>(widget) ? 0 : 1);
     return out;
 }
 
 }  // namespace
 
-ExportDialog::ExportDialog(const Document& document, QWidget* parent) : QDialog(parent), document_(document) {
+ExportDialog::ExportDialog(const Document& document, QWidget* parent)
+    : QDialog(parent), document_(document) {
     setWindowTitle(tr("Export picture"));
     setAttribute(Qt::WA_DeleteOnClose);
     auto* form = new QFormLayout(this);
@@ -72,7 +77,8 @@ ExportDialog::ExportDialog(const Document& document, QWidget* parent) : QDialog(
     takeFormat();
 }
 
-DragNumber* ExportDialog::makeNumber(const QString& name, const QString& label, double value, const NumberRange& range, const QString& unit) {
+DragNumber* ExportDialog::makeNumber(const QString& name, const QString& label, double value,
+                                     const NumberRange& range, const QString& unit) {
     auto* number = new DragNumber(this);
     number->setObjectName(name);
     number->setAccessibleName(label);
@@ -94,7 +100,8 @@ void ExportDialog::buildFile(QFormLayout* form) {
     path_->setObjectName("export.path");
     path_->setAccessibleName(tr("File"));
     path_->setMinimumWidth(fontMetrics().averageCharWidth() * 44);
-    const auto stem = document_.file().empty() ? std::filesystem::path("picture") : document_.file().stem().stem();
+    const auto stem = document_.file().empty() ? std::filesystem::path("picture")
+                                               : document_.file().stem().stem();
     path_->setText(pathText(document_.assetFolder() / (stem.string() + ".png")));
     path_->setToolTip(tr("The ending chooses the format"));
     connect(path_, &QLineEdit::textChanged, this, &ExportDialog::takeFormat);
@@ -109,8 +116,11 @@ void ExportDialog::buildFile(QFormLayout* form) {
     format_ = new QComboBox(this);
     format_->setObjectName("export.format");
     format_->setAccessibleName(tr("Format"));
-    const QString names[] = {tr("PNG, for the screen"), tr("JPEG, small"), tr("TIFF, for the screen"), tr("OpenEXR, linear light"), tr("Radiance HDR, linear light")};
-    for (std::size_t i = 0; i < std::size(kFormats); ++i) format_->addItem(names[i], QString::fromLatin1(kFormats[i]));
+    const QString names[] = {tr("PNG, for the screen"), tr("JPEG, small"),
+                             tr("TIFF, for the screen"), tr("OpenEXR, linear light"),
+                             tr("Radiance HDR, linear light")};
+    for (std::size_t i = 0; i < std::size(kFormats); ++i)
+        format_->addItem(names[i], QString::fromLatin1(kFormats[i]));
     connect(format_, &QComboBox::activated, this, [this] {
         std::filesystem::path path = toPath(path_->text());
         path.replace_extension(format_->currentData().toString().toStdString());
@@ -129,9 +139,12 @@ void ExportDialog::buildSize(QFormLayout* form) {
     preset_ = new QComboBox(this);
     preset_->setObjectName("export.preset");
     preset_->setAccessibleName(tr("Size"));
-    preset_->addItem(tr("As the scene says, %1").arg(sizeText(film.width, film.height)), QSize(film.width, film.height));
+    preset_->addItem(tr("As the scene says, %1").arg(sizeText(film.width, film.height)),
+                     QSize(film.width, film.height));
     for (const SizePreset& preset : kPresets)
-        preset_->addItem(QStringLiteral("%1, %2").arg(tr(preset.name), sizeText(preset.width, preset.height)), QSize(preset.width, preset.height));
+        preset_->addItem(
+            QStringLiteral("%1, %2").arg(tr(preset.name), sizeText(preset.width, preset.height)),
+            QSize(preset.width, preset.height));
     connect(preset_, &QComboBox::activated, this, &ExportDialog::takePreset);
     const NumberRange side{.min = 1, .max = 65536, .integer = true};
     width_ = makeNumber("export.width", tr("Width"), film.width, side, "px");
@@ -150,13 +163,15 @@ void ExportDialog::buildSize(QFormLayout* form) {
     });
     connect(width_, &DragNumber::edited, this, [this] { takeSide(width_, height_, 1 / aspect_); });
     connect(height_, &DragNumber::edited, this, [this] { takeSide(height_, width_, aspect_); });
-    percent_ = makeNumber("export.percent", tr("Percent of that size"), 100, {.min = 1, .max = 1000}, "%");
+    percent_ =
+        makeNumber("export.percent", tr("Percent of that size"), 100, {.min = 1, .max = 1000}, "%");
     form->addRow(tr("Size"), preset_);
     form->addRow(QString(), rowOf({width_, lock_, height_, percent_}));
 }
 
 void ExportDialog::takeSide(DragNumber* changed, DragNumber* other, double ratio) {
-    if (lock_->isChecked()) other->setValue(std::clamp(std::round(whole(changed) * ratio), 1.0, 65536.0));
+    if (lock_->isChecked())
+        other->setValue(std::clamp(std::round(whole(changed) * ratio), 1.0, 65536.0));
     refresh();
 }
 
@@ -170,15 +185,19 @@ void ExportDialog::takePreset(int index) {
 
 void ExportDialog::buildStop(QFormLayout* form) {
     const RenderSettings& render = document_.scene().render;
-    spp_ = makeNumber("export.spp", tr("Samples a pixel to stop at"), render.spp, {.min = 1, .max = 16777216, .integer = true}, "spp");
-    time_ = makeNumber("export.time", tr("Time to stop at; 0 is no limit"), render.timeSeconds, {.min = 0}, "s");
-    error_ = makeNumber("export.error", tr("Error of the picture to stop at; 0 is no limit"), render.errorPercent, {.min = 0, .max = 100}, "%");
+    spp_ = makeNumber("export.spp", tr("Samples a pixel to stop at"), render.spp,
+                      {.min = 1, .max = 16777216, .integer = true}, "spp");
+    time_ = makeNumber("export.time", tr("Time to stop at; 0 is no limit"), render.timeSeconds,
+                       {.min = 0}, "s");
+    error_ = makeNumber("export.error", tr("Error of the picture to stop at; 0 is no limit"),
+                        render.errorPercent, {.min = 0, .max = 100}, "%");
     auto label = [this](const QString& text) {
         auto* out = new QLabel(text, this);
         out->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         return out;
     };
-    form->addRow(tr("Stop at"), rowOf({spp_, label(tr("time")), time_, label(tr("error")), error_}));
+    form->addRow(tr("Stop at"),
+                 rowOf({spp_, label(tr("time")), time_, label(tr("error")), error_}));
 }
 
 void ExportDialog::buildContent(QFormLayout* form) {
@@ -187,12 +206,16 @@ void ExportDialog::buildContent(QFormLayout* form) {
     transparent_->setToolTip(tr("An alpha channel instead of the environment behind the objects"));
     layers_ = new QCheckBox(tr("Layers"), this);
     layers_->setObjectName("export.layers");
-    layers_->setToolTip(tr("Light by kind, albedo, normal, depth, position, ids, sample count and error beside the picture"));
-    for (QCheckBox* box : {transparent_, layers_}) connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
+    layers_->setToolTip(
+        tr("Light by kind, albedo, normal, depth, position, ids, sample count and error beside the "
+           "picture"));
+    for (QCheckBox* box : {transparent_, layers_})
+        connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
     form->addRow(tr("Content"), rowOf({transparent_, layers_}));
 }
 
-QCheckBox* ExportDialog::addSwitched(QFormLayout* form, const QString& name, const QString& label, const std::vector<QWidget*>& fields) {
+QCheckBox* ExportDialog::addSwitched(QFormLayout* form, const QString& name, const QString& label,
+                                     const std::vector<QWidget*>& fields) {
     auto* box = new QCheckBox(label, this);
     box->setObjectName(name);
     QWidget* row = rowOf(fields);
@@ -205,18 +228,24 @@ QCheckBox* ExportDialog::addSwitched(QFormLayout* form, const QString& name, con
 
 void ExportDialog::buildRegion(QFormLayout* form) {
     const FilmSettings& film = document_.scene().film;
-    const NumberRange from{.min = 0, .max = 65535, .integer = true}, size{.min = 1, .max = 65536, .integer = true};
+    const NumberRange from{.min = 0, .max = 65535, .integer = true},
+        size{.min = 1, .max = 65536, .integer = true};
     x_ = makeNumber("export.region.x", tr("Left edge"), 0, from, "px");
     y_ = makeNumber("export.region.y", tr("Upper edge"), 0, from, "px");
-    regionWidth_ = makeNumber("export.region.width", tr("Width of the part"), film.width, size, "px");
-    regionHeight_ = makeNumber("export.region.height", tr("Height of the part"), film.height, size, "px");
-    region_ = addSwitched(form, "export.region", tr("Only a part"), {x_, y_, regionWidth_, regionHeight_});
+    regionWidth_ =
+        makeNumber("export.region.width", tr("Width of the part"), film.width, size, "px");
+    regionHeight_ =
+        makeNumber("export.region.height", tr("Height of the part"), film.height, size, "px");
+    region_ = addSwitched(form, "export.region", tr("Only a part"),
+                          {x_, y_, regionWidth_, regionHeight_});
 }
 
 void ExportDialog::buildTurntable(QFormLayout* form) {
     const Turntable usual;
-    frames_ = makeNumber("export.turntable.frames", tr("Number of pictures"), usual.frames, {.min = 1, .max = 100000, .integer = true}, {});
-    degrees_ = makeNumber("export.turntable.degrees", tr("Turn over all pictures"), usual.degrees, {}, "deg");
+    frames_ = makeNumber("export.turntable.frames", tr("Number of pictures"), usual.frames,
+                         {.min = 1, .max = 100000, .integer = true}, {});
+    degrees_ = makeNumber("export.turntable.degrees", tr("Turn over all pictures"), usual.degrees,
+                          {}, "deg");
     axis_ = new QComboBox(this);
     axis_->setObjectName("export.turntable.axis");
     axis_->setAccessibleName(tr("Axis to turn about, through the camera's target"));
@@ -252,9 +281,12 @@ void ExportDialog::takeFormat() {
 }
 
 ExportRequest ExportDialog::request() const {
-    ExportRequest out{document_.committed(), document_.assetFolder(), toPath(path_->text()), {}, {}};
+    ExportRequest out{
+        document_.committed(), document_.assetFolder(), toPath(path_->text()), {}, {}};
     const double scale = percent_->value().value_or(100) / 100;
-    const auto scaled = [&](const DragNumber* number) { return std::clamp(static_cast<int>(std::lround(whole(number) * scale)), 1, 65536); };
+    const auto scaled = [&](const DragNumber* number) {
+        return std::clamp(static_cast<int>(std::lround(whole(number) * scale)), 1, 65536);
+    };
     out.scene.film.width = scaled(width_);
     out.scene.film.height = scaled(height_);
     out.scene.render.spp = whole(spp_);
@@ -263,19 +295,27 @@ ExportRequest ExportDialog::request() const {
     out.picture.bits = bits_->currentData().toInt();
     out.picture.transparent = transparent_->isChecked() && transparent_->isEnabled();
     out.picture.layers = layers_->isChecked() && layers_->isEnabled();
-    if (region_->isChecked()) out.picture.crop = PixelRect{whole(x_), whole(y_), whole(regionWidth_), whole(regionHeight_)};
-    if (turntable_->isChecked()) out.turntable = Turntable{whole(frames_), axis_->currentIndex(), degrees_->value().value_or(360)};
+    if (region_->isChecked())
+        out.picture.crop =
+            PixelRect{whole(x_), whole(y_), whole(regionWidth_), whole(regionHeight_)};
+    if (turntable_->isChecked())
+        out.turntable =
+            Turntable{whole(frames_), axis_->currentIndex(), degrees_->value().value_or(360)};
     return out;
 }
 
 QString ExportDialog::problem(const ExportRequest& request) const {
-    if (const Status good = checkPicture(request.output, request.picture); !good) return toQString(good.error());
+    if (const Status good = checkPicture(request.output, request.picture); !good)
+        return toQString(good.error());
     const FilmSettings& film = request.scene.film;
-    if (const auto& crop = request.picture.crop; crop && (crop->width > film.width - crop->x || crop->height > film.height - crop->y))
-        return tr("The part reaches out of the picture of %1 pixels").arg(sizeText(film.width, film.height));
+    if (const auto& crop = request.picture.crop;
+        crop && (crop->width > film.width - crop->x || crop->height > film.height - crop->y))
+        return tr("The part reaches out of the picture of %1 pixels")
+            .arg(sizeText(film.width, film.height));
     std::error_code code;
     const auto folder = std::filesystem::absolute(request.output).parent_path();
-    if (!std::filesystem::is_directory(folder, code)) return tr("There is no folder %1").arg(pathText(folder));
+    if (!std::filesystem::is_directory(folder, code))
+        return tr("There is no folder %1").arg(pathText(folder));
     return {};
 }
 
@@ -291,8 +331,11 @@ void ExportDialog::refresh() {
     if (text.isEmpty()) {
         text = tr("%1 pixels").arg(sizeText(asked.scene.film.width, asked.scene.film.height));
         const auto first = asked.turntable ? numbered(asked.output, 0) : asked.output;
-        if (asked.turntable) text += tr(" · %n picture(s): %1 …", nullptr, asked.turntable->frames).arg(pathText(first.filename()));
-        if (std::error_code code; std::filesystem::exists(first, code)) text += tr(" · replaces the file that is there");
+        if (asked.turntable)
+            text += tr(" · %n picture(s): %1 …", nullptr, asked.turntable->frames)
+                        .arg(pathText(first.filename()));
+        if (std::error_code code; std::filesystem::exists(first, code))
+            text += tr(" · replaces the file that is there");
     }
     hint_->setText(text);
     hint_->setProperty("level", wrong.isEmpty() ? QString() : QStringLiteral("error"));

@@ -1,5 +1,5 @@
-// ExportDialog: what to export: file and format, size, when to stop, layers, region, turntable. Not modal; the work is an
-// ExportJob's.
+// ExportDialog: what to export: file and format, size, when to stop, layers, region, turntable. Not
+// modal; the work is an ExportJob's.
 #pragma once
 
 #include <QDialog>
@@ -42,9 +42,11 @@ class ExportDialog : public QDialog {
     void buildContent(QFormLayout* form);
     void buildRegion(QFormLayout* form);
     void buildTurntable(QFormLayout* form);
-    DragNumber* makeNumber(const QString& name, const QString& label, double value, const NumberRange& range, const QString& unit);
+    DragNumber* makeNumber(const QString& name, const QString& label, double value,
+                           const NumberRange& range, const QString& unit);
     /// A row of fields that a check box in front of them switches on.
-    QCheckBox* addSwitched(QFormLayout* form, const QString& name, const QString& label, const std::vector<QWidget*>& fields);
+    QCheckBox* addSwitched(QFormLayout* form, const QString& name, const QString& label,
+                           const std::vector<QWidget*>& fields);
 
     void browse();
     void takeFormat();
@@ -63,7 +65,8 @@ class ExportDialog : public QDialog {
     DragNumber *spp_ = nullptr, *time_ = nullptr, *error_ = nullptr;
     DragNumber *x_ = nullptr, *y_ = nullptr, *regionWidth_ = nullptr, *regionHeight_ = nullptr;
     DragNumber *frames_ = nullptr, *degrees_ = nullptr;
-    QCheckBox *transparent_ = nullptr, *layers_ = nullptr, *region_ = nullptr, *turntable_ = nullptr;
+    QCheckBox *transparent_ = nullptr, *layers_ = nullptr, *region_ = nullptr,
+              *turntable_ = nullptr;
     QLabel* hint_ = nullptr;
     QPushButton* start_ = nullptr;
     double aspect_ = 1;  ///< width / height that the lock keeps

@@ -11,8 +11,8 @@ namespace glint {
 
 namespace {
 
-/// The scene as it comes back from its file, whose ids have no gaps: the ids in a picture's layers are those that
-/// `glint-render --verify` finds.
+/// The scene as it comes back from its file, whose ids have no gaps: the ids in a picture's layers
+/// are those that `glint-render --verify` finds.
 Scene asFromFile(const Scene& scene) {
     auto parsed = parseScene(formatScene(scene), "scene");
     return parsed.ok() ? std::move(parsed).value() : scene;
@@ -26,7 +26,8 @@ std::string joined(const std::vector<std::string>& names) {
 
 }  // namespace
 
-ExportJob::ExportJob(ExportRequest request, QObject* parent) : QObject(parent), request_(std::move(request)) {
+ExportJob::ExportJob(ExportRequest request, QObject* parent)
+    : QObject(parent), request_(std::move(request)) {
     thread_ = std::jthread([this] { run(); });
 }
 
@@ -43,9 +44,12 @@ QString ExportJob::renderAll() {
     const Scene scene = asFromFile(request_.scene);
     for (int frame = 0; frame < frames() && !stopped(); ++frame) {
         const bool many = request_.turntable.has_value();
-        const Scene shown = many ? withViewCamera(scene, cameraOf(*request_.turntable, scene.viewCamera(), frame)) : scene;
+        const Scene shown =
+            many ? withViewCamera(scene, cameraOf(*request_.turntable, scene.viewCamera(), frame))
+                 : scene;
         const auto file = many ? numbered(request_.output, frame) : request_.output;
-        if (const Status done = renderFrame(shown, frame, file); !done) return toQString(done.error());
+        if (const Status done = renderFrame(shown, frame, file); !done)
+            return toQString(done.error());
     }
     return {};
 }
@@ -60,11 +64,14 @@ Status ExportJob::renderFrame(const Scene& scene, int frame, const std::filesyst
     request.pause = &pause_;
     request.progress = [&](const RenderProgress& p) {
         const double whole = p.fraction > 0 ? p.seconds / p.fraction : 0;
-        emit progressed({(frame + p.fraction) / frames(), p.remainingSeconds + whole * (frames() - frame - 1), p.error, p.spp, frame, frames()});
+        emit progressed({(frame + p.fraction) / frames(),
+                         p.remainingSeconds + whole * (frames() - frame - 1), p.error, p.spp, frame,
+                         frames()});
     };
     const Rendering rendering = render(compiled.value().scene, request);
     if (stopped()) return Done{};
-    return saveRendering(file, scene, rendering, request_.picture, joined(featureNames(*compiled.value().scene)));
+    return saveRendering(file, scene, rendering, request_.picture,
+                         joined(featureNames(*compiled.value().scene)));
 }
 
 }  // namespace glint

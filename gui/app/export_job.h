@@ -1,5 +1,5 @@
-// ExportJob: pictures rendered to files on a thread of its own, with progress, pause and cancel. The scene is a value, so
-// editing goes on meanwhile.
+// ExportJob: pictures rendered to files on a thread of its own, with progress, pause and cancel.
+// The scene is a value, so editing goes on meanwhile.
 #pragma once
 
 #include <QObject>
@@ -22,11 +22,11 @@ struct ExportRequest {
 };
 
 struct ExportProgress {
-    double fraction = 0;          ///< of the whole job, 0 to 1
+    double fraction = 0;  ///< of the whole job, 0 to 1
     double remainingSeconds = 0;
-    double error = kInfinity;     ///< of the present picture, see pictureError(); infinite at first
+    double error = kInfinity;  ///< of the present picture, see pictureError(); infinite at first
     int spp = 0;
-    int frame = 0, frames = 1;    ///< frame counts from 0
+    int frame = 0, frames = 1;  ///< frame counts from 0
 };
 
 class ExportJob : public QObject {
@@ -35,7 +35,8 @@ class ExportJob : public QObject {
   public:
     /// Starts at once.
     explicit ExportJob(ExportRequest request, QObject* parent = nullptr);
-    /// Cancels and joins; the render looks at each path vertex, so that takes no time that a person notices.
+    /// Cancels and joins; the render looks at each path vertex, so that takes no time that a person
+    /// notices.
     ~ExportJob() override;
 
     void cancel() { stop_.store(true, std::memory_order_relaxed); }
@@ -50,7 +51,8 @@ class ExportJob : public QObject {
   private:
     void run();
     [[nodiscard]] QString renderAll();
-    [[nodiscard]] Status renderFrame(const Scene& scene, int frame, const std::filesystem::path& file);
+    [[nodiscard]] Status renderFrame(const Scene& scene, int frame,
+                                     const std::filesystem::path& file);
     [[nodiscard]] int frames() const { return request_.turntable ? request_.turntable->frames : 1; }
     [[nodiscard]] bool stopped() const { return stop_.load(std::memory_order_relaxed); }
 

@@ -9,12 +9,14 @@
 
 namespace glint {
 
-ExportQueue::ExportQueue(MessageBar& messages, QObject* parent) : QObject(parent), messages_(messages) {}
+ExportQueue::ExportQueue(MessageBar& messages, QObject* parent)
+    : QObject(parent), messages_(messages) {}
 
 ExportQueue::~ExportQueue() = default;
 
 ExportQueue::Slot* ExportQueue::find(int id) {
-    const auto found = std::find_if(slots_.begin(), slots_.end(), [&](const auto& slot) { return slot->entry.id == id; });
+    const auto found = std::find_if(slots_.begin(), slots_.end(),
+                                    [&](const auto& slot) { return slot->entry.id == id; });
     return found == slots_.end() ? nullptr : found->get();
 }
 
@@ -30,7 +32,9 @@ void ExportQueue::add(ExportRequest request) {
 }
 
 void ExportQueue::pump() {
-    const auto isIn = [](State state) { return [state](const auto& slot) { return slot->entry.state == state; }; };
+    const auto isIn = [](State state) {
+        return [state](const auto& slot) { return slot->entry.state == state; };
+    };
     if (std::any_of(slots_.begin(), slots_.end(), isIn(State::Running))) return;
     const auto next = std::find_if(slots_.begin(), slots_.end(), isIn(State::Waiting));
     if (next != slots_.end()) start(**next);
@@ -41,16 +45,23 @@ void ExportQueue::start(Slot& slot) {
     if (slot.job) return slot.job->setPaused(false);
     slot.job = std::make_unique<ExportJob>(slot.request);
     const int id = slot.entry.id;
-    connect(slot.job.get(), &ExportJob::progressed, this, [this, id](const ExportProgress& progress) {
-        if (Slot* running = find(id)) running->entry.progress = progress;
-        emit progressed(id, progress);
-    }, Qt::QueuedConnection);
-    connect(slot.job.get(), &ExportJob::finished, this, [this, id](const QString& error, bool canceled) { onFinished(id, error, canceled); }, Qt::QueuedConnection);
+    connect(
+        slot.job.get(), &ExportJob::progressed, this,
+        [this, id](const ExportProgress& progress) {
+            if (Slot* running = find(id)) running->entry.progress = progress;
+            emit progressed(id, progress);
+        },
+        Qt::QueuedConnection);
+    connect(
+        slot.job.get(), &ExportJob::finished, this,
+        [this, id](const QString& error, bool canceled) { onFinished(id, error, canceled); },
+        Qt::QueuedConnection);
 }
 
 void ExportQueue::setPaused(int id, bool paused) {
     Slot* slot = find(id);
-    if (!slot || hasEnded(slot->entry.state) || paused == (slot->entry.state == State::Paused)) return;
+    if (!slot || hasEnded(slot->entry.state) || paused == (slot->entry.state == State::Paused))
+        return;
     // One that goes on waits for its turn, as the others do.
     slot->entry.state = paused ? State::Paused : State::Waiting;
     if (slot->job && paused) slot->job->setPaused(true);
@@ -70,7 +81,8 @@ void ExportQueue::cancelAll() {
     // Those that wait first, so that none of them starts.
     for (const bool withJob : {false, true})
         for (const Entry& entry : entries())
-            if (const Slot* slot = find(entry.id); (slot->job != nullptr) == withJob) cancel(entry.id);
+            if (const Slot* slot = find(entry.id); (slot->job != nullptr) == withJob)
+                cancel(entry.id);
 }
 
 void ExportQueue::clearEnded() {
@@ -79,7 +91,8 @@ void ExportQueue::clearEnded() {
 }
 
 bool ExportQueue::isIdle() const {
-    return std::all_of(slots_.begin(), slots_.end(), [](const auto& slot) { return hasEnded(slot->entry.state); });
+    return std::all_of(slots_.begin(), slots_.end(),
+                       [](const auto& slot) { return hasEnded(slot->entry.state); });
 }
 
 std::vector<ExportQueue::Entry> ExportQueue::entries() const {
@@ -104,14 +117,24 @@ void ExportQueue::onFinished(int id, const QString& error, bool canceled) {
 void ExportQueue::announce(const Entry& entry) {
     const auto output = std::filesystem::absolute(entry.output);
     switch (entry.state) {
-        case State::Failed: return messages_.show(MessageBar::Level::Error, tr("Not exported: %1").arg(entry.error));
-        case State::Canceled: return messages_.show(MessageBar::Level::Info, tr("Export canceled"));
-        default: break;
+        case State::Failed:
+            return messages_.show(MessageBar::Level::Error,
+                                  tr("Not exported: %1").arg(entry.error));
+        case State::Canceled:
+            return messages_.show(MessageBar::Level::Info, tr("Export canceled"));
+        default:
+            break;
     }
     // Of a sequence the folder: its first picture says little.
     const auto shown = entry.progress.frames > 1 ? output.parent_path() : output;
-    const QString text = entry.progress.frames > 1 ? tr("Exported %1 pictures %2").arg(entry.progress.frames).arg(pathText(output)) : tr("Exported %1").arg(pathText(output));
-    messages_.show(MessageBar::Level::Info, text, {}, {{tr("Show"), [shown] { QDesktopServices::openUrl(QUrl::fromLocalFile(pathText(shown))); }}});
+    const QString text =
+        entry.progress.frames > 1
+            ? tr("Exported %1 pictures %2").arg(entry.progress.frames).arg(pathText(output))
+            : tr("Exported %1").arg(pathText(output));
+    messages_.show(MessageBar::Level::Info, text, {},
+                   {{tr("Show"), [shown] {
+                         QDesktopServices::openUrl(QUrl::fromLocalFile(pathText(shown)));
+                     }}});
 }
 
 }  // namespace glint

@@ -1,4 +1,5 @@
-// ExportQueue: exports in the background, one at a time, in the order they were asked for. A paused one lets the next go on.
+// ExportQueue: exports in the background, one at a time, in the order they were asked for. A paused
+// one lets the next go on.
 #pragma once
 
 #include <QObject>
@@ -61,7 +62,8 @@ class ExportQueue : public QObject {
 };
 
 [[nodiscard]] constexpr bool hasEnded(ExportQueue::State state) {
-    return state == ExportQueue::State::Done || state == ExportQueue::State::Canceled || state == ExportQueue::State::Failed;
+    return state == ExportQueue::State::Done || state == ExportQueue::State::Canceled ||
+           state == ExportQueue::State::Failed;
 }
 
 }  // namespace glint

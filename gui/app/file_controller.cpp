@@ -74,7 +74,8 @@ Scene starterScene() {
     return scene;
 }
 
-FileController::FileController(Document& document, MessageBar& messages, Memory memory, QWidget* window)
+FileController::FileController(Document& document, MessageBar& messages, Memory memory,
+                               QWidget* window)
     : QObject(window), document_(document), messages_(messages), memory_(memory), window_(window) {
     settingsWriter_.setMaxThreadCount(1);
     if (memory_ == Memory::Settings) recent_ = QSettings().value(kRecentKey).toStringList();
@@ -86,7 +87,8 @@ void FileController::remember(const std::filesystem::path& file) {
     recent_.prepend(path);
     recent_ = recent_.mid(0, kMostRecent);
     // On a thread: written settings wait for the disk.
-    if (memory_ == Memory::Settings) settingsWriter_.start([recent = recent_] { QSettings().setValue(kRecentKey, recent); });
+    if (memory_ == Memory::Settings)
+        settingsWriter_.start([recent = recent_] { QSettings().setValue(kRecentKey, recent); });
     emit recentChanged();
 }
 
@@ -97,8 +99,11 @@ void FileController::newScene() {
 void FileController::newFrom(const std::filesystem::path& file) {
     whenSafe([this, file] {
         const auto scene = loadScene(file);
-        if (!scene.ok()) return messages_.show(MessageBar::Level::Error, tr("Not opened: %1").arg(toQString(scene.error())));
-        document_.replace(withAssetsFrom(scene.value(), std::filesystem::absolute(file).parent_path(), {}), {});
+        if (!scene.ok())
+            return messages_.show(MessageBar::Level::Error,
+                                  tr("Not opened: %1").arg(toQString(scene.error())));
+        document_.replace(
+            withAssetsFrom(scene.value(), std::filesystem::absolute(file).parent_path(), {}), {});
     });
 }
 
@@ -107,7 +112,8 @@ void FileController::browse() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilter(tr("Scenes (*.json)"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { open(toPath(file)); });
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this](const QString& file) { open(toPath(file)); });
     dialog->open();
 }
 
@@ -117,7 +123,8 @@ void FileController::open(const std::filesystem::path& file) {
 
 void FileController::load(FileReading reading) {
     const int number = ++loads_;
-    reading.content.then(this, [this, file = reading.file, number](const std::shared_ptr<LoadedFile>& loaded) {
+    reading.content.then(this, [this, file = reading.file,
+                                number](const std::shared_ptr<LoadedFile>& loaded) {
         if (number != loads_) return;
         if (loaded->scene.ok()) {
             messages_.dismiss();
@@ -130,24 +137,31 @@ void FileController::load(FileReading reading) {
         if (loaded->part) {
             details = listOf(loaded->part->leftOut);
             const auto count = static_cast<int>(loaded->part->leftOut.size());
-            choices.push_back({tr("Open without %n bad part(s)", nullptr, count), [this, file, loaded] {
-                                   // Untitled, so that saving cannot destroy the original.
-                                   Scene kept = withAssetsFrom(loaded->part->scene, std::filesystem::absolute(file).parent_path(), {});
-                                   document_.replace(std::move(kept), {}, Document::Origin::Recovered);
-                                   messages_.show(MessageBar::Level::Warning, tr("Opened in part, as an untitled scene. Left out:\n%1").arg(listOf(loaded->part->leftOut)));
-                               }});
+            choices.push_back(
+                {tr("Open without %n bad part(s)", nullptr, count), [this, file, loaded] {
+                     // Untitled, so that saving cannot destroy the original.
+                     Scene kept = withAssetsFrom(loaded->part->scene,
+                                                 std::filesystem::absolute(file).parent_path(), {});
+                     document_.replace(std::move(kept), {}, Document::Origin::Recovered);
+                     messages_.show(MessageBar::Level::Warning,
+                                    tr("Opened in part, as an untitled scene. Left out:\n%1")
+                                        .arg(listOf(loaded->part->leftOut)));
+                 }});
         }
-        messages_.show(MessageBar::Level::Error, tr("Not opened: %1").arg(toQString(loaded->scene.error())), details, std::move(choices));
+        messages_.show(MessageBar::Level::Error,
+                       tr("Not opened: %1").arg(toQString(loaded->scene.error())), details,
+                       std::move(choices));
     });
 }
 
 bool FileController::saveTo(const std::filesystem::path& file) {
     Scene scene = document_.committed();
-    if (file != document_.file()) scene = withAssetsFrom(std::move(scene), document_.assetFolder(), file);
+    if (file != document_.file())
+        scene = withAssetsFrom(std::move(scene), document_.assetFolder(), file);
     const Status status = saveScene(scene, file);
     if (!status.ok()) {
-        messages_.show(MessageBar::Level::Error, tr("Not saved: %1").arg(toQString(status.error())), {},
-                       {{tr("Save elsewhere…"), [this] { saveAs(); }}});
+        messages_.show(MessageBar::Level::Error, tr("Not saved: %1").arg(toQString(status.error())),
+                       {}, {{tr("Save elsewhere…"), [this] { saveAs(); }}});
         return false;
     }
     document_.setSaved(file, std::move(scene));
@@ -162,22 +176,26 @@ void FileController::saveThen(std::function<void()> then) {
 }
 
 void FileController::saveAsThen(std::function<void()> then) {
-    auto* dialog = new QFileDialog(window_, tr("Save the scene"), pathText(document_.assetFolder()));
+    auto* dialog =
+        new QFileDialog(window_, tr("Save the scene"), pathText(document_.assetFolder()));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilter(tr("Scenes (*.json)"));
     dialog->setDefaultSuffix("glint.json");
     dialog->selectFile(document_.file().empty() ? tr("scene.glint.json") : document_.title());
-    connect(dialog, &QFileDialog::fileSelected, this, [this, then = std::move(then)](const QString& file) {
-        if (saveTo(toPath(file)) && then) then();
-    });
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, then = std::move(then)](const QString& file) {
+                if (saveTo(toPath(file)) && then) then();
+            });
     dialog->open();
 }
 
 void FileController::whenSafe(std::function<void()> then) {
     if (!document_.isModified()) return then();
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Unsaved changes"), tr("\"%1\" has changes that are not saved.").arg(document_.title()),
-                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+    auto* box =
+        new QMessageBox(QMessageBox::Warning, tr("Unsaved changes"),
+                        tr("\"%1\" has changes that are not saved.").arg(document_.title()),
+                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
     box->setObjectName("unsavedChanges");
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Save);

@@ -1,5 +1,6 @@
-// FileController: new, open, save, recent files. Files are read on a background thread; a broken one never replaces the scene
-// that is there. What is to be said goes to the message bar; only unsaved changes ask.
+// FileController: new, open, save, recent files. Files are read on a background thread; a broken
+// one never replaces the scene that is there. What is to be said goes to the message bar; only
+// unsaved changes ask.
 #pragma once
 
 #include <QObject>
@@ -28,14 +29,16 @@ class FileController : public QObject {
     void browse();
     /// Asks about unsaved changes, then opens.
     void open(const std::filesystem::path& file);
-    /// Opens without asking; the scene there is replaced when the file has been read, at once if it has been.
+    /// Opens without asking; the scene there is replaced when the file has been read, at once if it
+    /// has been.
     void load(FileReading reading);
     void load(const std::filesystem::path& file) { load(readInBackground(file)); }
     void save() { saveThen({}); }
     void saveAs() { saveAsThen({}); }
     /// Saves there now; false, with a message, if that fails.
     bool saveTo(const std::filesystem::path& file);
-    /// Runs `then` when no unsaved change can be lost: at once, or after the person chose to save or discard.
+    /// Runs `then` when no unsaved change can be lost: at once, or after the person chose to save
+    /// or discard.
     void whenSafe(std::function<void()> then);
     [[nodiscard]] const QStringList& recent() const { return recent_; }
 
@@ -55,7 +58,7 @@ class FileController : public QObject {
     QWidget* window_;
     QStringList recent_;
     QThreadPool settingsWriter_;  ///< one thread: the newest list is written last
-    int loads_ = 0;  ///< a newer load makes an older one void
+    int loads_ = 0;               ///< a newer load makes an older one void
 };
 
 /// What an empty window starts with: a floor, a ball, a light.

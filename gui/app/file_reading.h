@@ -1,4 +1,5 @@
-// A scene file on its way from the disk: read on a background thread, taken by FileController::load().
+// A scene file on its way from the disk: read on a background thread, taken by
+// FileController::load().
 #pragma once
 
 #include <QFuture>

@@ -36,7 +36,8 @@ std::optional<fs::file_time_type> timeOf(const fs::path& file) {
 
 }  // namespace
 
-FileWatch::FileWatch(const Document& document, QObject* parent) : QObject(parent), document_(document) {
+FileWatch::FileWatch(const Document& document, QObject* parent)
+    : QObject(parent), document_(document) {
     for (QTimer* timer : {&listTimer_, &checkTimer_}) {
         timer->setSingleShot(true);
         timer->setInterval(kQuiet);
@@ -57,7 +58,9 @@ FileWatch::FileWatch(const Document& document, QObject* parent) : QObject(parent
     });
 }
 
-void FileWatch::noteSceneFile() { sceneTime_ = document_.file().empty() ? std::nullopt : timeOf(document_.file()); }
+void FileWatch::noteSceneFile() {
+    sceneTime_ = document_.file().empty() ? std::nullopt : timeOf(document_.file());
+}
 
 void FileWatch::updateList() {
     std::map<fs::path, Time> assets;
@@ -66,7 +69,8 @@ void FileWatch::updateList() {
         assets[file] = known != assets_.end() ? known->second : timeOf(file);
     }
     assets_ = std::move(assets);
-    // Folders too: many programs put a new file in the place of the old one, which ends the watch on it.
+    // Folders too: many programs put a new file in the place of the old one, which ends the watch
+    // on it.
     std::set<QString> wanted;
     const auto want = [&](const fs::path& file) {
         for (const fs::path& path : {file, fs::absolute(file).parent_path()})

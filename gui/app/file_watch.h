@@ -1,4 +1,5 @@
-// FileWatch: notices when another program changes the pictures and models of the scene, or its file.
+// FileWatch: notices when another program changes the pictures and models of the scene, or its
+// file.
 #pragma once
 
 #include <QFileSystemWatcher>
@@ -36,7 +37,8 @@ class FileWatch : public QObject {
 
     const Document& document_;
     QFileSystemWatcher watcher_;
-    /// Programs write in several steps, and edits come in bursts: both are looked at when they have been quiet for a while.
+    /// Programs write in several steps, and edits come in bursts: both are looked at when they have
+    /// been quiet for a while.
     QTimer listTimer_, checkTimer_;
     std::map<std::filesystem::path, Time> assets_;
     Time sceneTime_;

@@ -26,7 +26,9 @@ void setMember(Table& table, IdType id, Member T::*member, Member value) {
 template <class Table>
 bool hasName(const Table& table, std::uint32_t except, const std::string& name) {
     bool found = false;
-    table.forEach([&](auto id, const auto& value) { found = found || (id.value != except && value.name == name); });
+    table.forEach([&](auto id, const auto& value) {
+        found = found || (id.value != except && value.name == name);
+    });
     return found;
 }
 
@@ -46,13 +48,16 @@ std::set<GroupId> groupsAmong(const std::vector<Item>& items) {
 /// The groups in `roots` and all below them, parents first.
 std::vector<GroupId> groupsWithin(const Scene& scene, const std::set<GroupId>& roots) {
     std::vector<GroupId> out;
-    scene.groups.forEach([&](GroupId id, const Group&) { if (isWithin(scene, id, roots)) out.push_back(id); });
+    scene.groups.forEach([&](GroupId id, const Group&) {
+        if (isWithin(scene, id, roots)) out.push_back(id);
+    });
     const auto depth = [&](GroupId id) {
         int n = 0;
         for (; id; id = scene.groups.at(id).parent) ++n;
         return n;
     };
-    std::stable_sort(out.begin(), out.end(), [&](GroupId a, GroupId b) { return depth(a) < depth(b); });
+    std::stable_sort(out.begin(), out.end(),
+                     [&](GroupId a, GroupId b) { return depth(a) < depth(b); });
     return out;
 }
 
@@ -78,20 +83,28 @@ Camera transformedCamera(Camera camera, const Affine& change) {
 
 bool exists(const Scene& scene, Item item) {
     switch (item.kind) {
-        case ItemKind::Object: return scene.objects.find(objectOf(item)) != nullptr;
-        case ItemKind::Group: return scene.groups.find(groupOf(item)) != nullptr;
-        case ItemKind::Light: return scene.lights.find(lightOf(item)) != nullptr;
-        case ItemKind::Camera: return item.id == 0 || scene.cameras.find(cameraOf(item)) != nullptr;
+        case ItemKind::Object:
+            return scene.objects.find(objectOf(item)) != nullptr;
+        case ItemKind::Group:
+            return scene.groups.find(groupOf(item)) != nullptr;
+        case ItemKind::Light:
+            return scene.lights.find(lightOf(item)) != nullptr;
+        case ItemKind::Camera:
+            return item.id == 0 || scene.cameras.find(cameraOf(item)) != nullptr;
     }
     return false;
 }
 
 std::string nameOf(const Scene& scene, Item item) {
     switch (item.kind) {
-        case ItemKind::Object: return scene.objects.at(objectOf(item)).name;
-        case ItemKind::Group: return scene.groups.at(groupOf(item)).name;
-        case ItemKind::Light: return scene.lights.at(lightOf(item)).name;
-        case ItemKind::Camera: return item.id == 0 ? std::string() : scene.cameras.at(cameraOf(item)).name;
+        case ItemKind::Object:
+            return scene.objects.at(objectOf(item)).name;
+        case ItemKind::Group:
+            return scene.groups.at(groupOf(item)).name;
+        case ItemKind::Light:
+            return scene.lights.at(lightOf(item)).name;
+        case ItemKind::Camera:
+            return item.id == 0 ? std::string() : scene.cameras.at(cameraOf(item)).name;
     }
     return {};
 }
@@ -100,9 +113,15 @@ NameFault nameFault(const Scene& scene, Item item, const std::string& name) {
     if (name.empty()) return NameFault::Empty;
     bool taken = false;
     switch (item.kind) {
-        case ItemKind::Object: taken = hasName(scene.objects, item.id, name); break;
-        case ItemKind::Group: taken = hasName(scene.groups, item.id, name); break;
-        case ItemKind::Light: taken = hasName(scene.lights, item.id, name); break;
+        case ItemKind::Object:
+            taken = hasName(scene.objects, item.id, name);
+            break;
+        case ItemKind::Group:
+            taken = hasName(scene.groups, item.id, name);
+            break;
+        case ItemKind::Light:
+            taken = hasName(scene.lights, item.id, name);
+            break;
         case ItemKind::Camera:
             if (item.id == 0) return NameFault::Fixed;
             taken = hasName(scene.cameras, item.id, name);
@@ -113,20 +132,32 @@ NameFault nameFault(const Scene& scene, Item item, const std::string& name) {
 
 Scene renamed(Scene scene, Item item, std::string name) {
     switch (item.kind) {
-        case ItemKind::Object: setMember(scene.objects, objectOf(item), &Object::name, std::move(name)); break;
-        case ItemKind::Group: setMember(scene.groups, groupOf(item), &Group::name, std::move(name)); break;
-        case ItemKind::Light: setMember(scene.lights, lightOf(item), &Light::name, std::move(name)); break;
-        case ItemKind::Camera: setMember(scene.cameras, cameraOf(item), &Camera::name, std::move(name)); break;
+        case ItemKind::Object:
+            setMember(scene.objects, objectOf(item), &Object::name, std::move(name));
+            break;
+        case ItemKind::Group:
+            setMember(scene.groups, groupOf(item), &Group::name, std::move(name));
+            break;
+        case ItemKind::Light:
+            setMember(scene.lights, lightOf(item), &Light::name, std::move(name));
+            break;
+        case ItemKind::Camera:
+            setMember(scene.cameras, cameraOf(item), &Camera::name, std::move(name));
+            break;
     }
     return scene;
 }
 
 bool isVisible(const Scene& scene, Item item) {
     switch (item.kind) {
-        case ItemKind::Object: return scene.objects.at(objectOf(item)).visible;
-        case ItemKind::Group: return scene.groups.at(groupOf(item)).visible;
-        case ItemKind::Light: return scene.lights.at(lightOf(item)).visible;
-        case ItemKind::Camera: return true;
+        case ItemKind::Object:
+            return scene.objects.at(objectOf(item)).visible;
+        case ItemKind::Group:
+            return scene.groups.at(groupOf(item)).visible;
+        case ItemKind::Light:
+            return scene.lights.at(lightOf(item)).visible;
+        case ItemKind::Camera:
+            return true;
     }
     return true;
 }
@@ -145,17 +176,26 @@ bool isLockedInTree(const Scene& scene, Item item) {
 
 Scene withVisible(Scene scene, Item item, bool visible) {
     switch (item.kind) {
-        case ItemKind::Object: setMember(scene.objects, objectOf(item), &Object::visible, visible); break;
-        case ItemKind::Group: setMember(scene.groups, groupOf(item), &Group::visible, visible); break;
-        case ItemKind::Light: setMember(scene.lights, lightOf(item), &Light::visible, visible); break;
-        case ItemKind::Camera: break;
+        case ItemKind::Object:
+            setMember(scene.objects, objectOf(item), &Object::visible, visible);
+            break;
+        case ItemKind::Group:
+            setMember(scene.groups, groupOf(item), &Group::visible, visible);
+            break;
+        case ItemKind::Light:
+            setMember(scene.lights, lightOf(item), &Light::visible, visible);
+            break;
+        case ItemKind::Camera:
+            break;
     }
     return scene;
 }
 
 Scene withLocked(Scene scene, Item item, bool locked) {
-    if (item.kind == ItemKind::Object) setMember(scene.objects, objectOf(item), &Object::locked, locked);
-    if (item.kind == ItemKind::Group) setMember(scene.groups, groupOf(item), &Group::locked, locked);
+    if (item.kind == ItemKind::Object)
+        setMember(scene.objects, objectOf(item), &Object::locked, locked);
+    if (item.kind == ItemKind::Group)
+        setMember(scene.groups, groupOf(item), &Group::locked, locked);
     return scene;
 }
 
@@ -166,19 +206,26 @@ GroupId parentOf(const Scene& scene, Item item) {
 
 Scene movedInto(Scene scene, Item item, GroupId parent) {
     if (parentOf(scene, item) == parent) return scene;
-    if (item.kind == ItemKind::Object) return reparented(std::move(scene), {objectOf(item)}, parent);
-    if (item.kind == ItemKind::Group) return reparentedGroup(std::move(scene), groupOf(item), parent);
+    if (item.kind == ItemKind::Object)
+        return reparented(std::move(scene), {objectOf(item)}, parent);
+    if (item.kind == ItemKind::Group)
+        return reparentedGroup(std::move(scene), groupOf(item), parent);
     return scene;
 }
 
 Affine worldFromItem(const Scene& scene, Item item) {
     switch (item.kind) {
-        case ItemKind::Object: return worldFromObject(scene, scene.objects.at(objectOf(item)));
-        case ItemKind::Group: return worldFromGroup(scene, groupOf(item));
+        case ItemKind::Object:
+            return worldFromObject(scene, scene.objects.at(objectOf(item)));
+        case ItemKind::Group:
+            return worldFromGroup(scene, groupOf(item));
         case ItemKind::Light: {
             Affine out;
-            std::visit([&](const auto& l) { if constexpr (requires { l.position; }) out.translation = l.position; },
-                       scene.lights.at(lightOf(item)).value);
+            std::visit(
+                [&](const auto& l) {
+                    if constexpr (requires { l.position; }) out.translation = l.position;
+                },
+                scene.lights.at(lightOf(item)).value);
             return out;
         }
         case ItemKind::Camera: {
@@ -191,23 +238,27 @@ Affine worldFromItem(const Scene& scene, Item item) {
 
 Scene transformed(Scene scene, Item item, const Affine& change) {
     switch (item.kind) {
-        case ItemKind::Object: return withWorldTransform(scene, objectOf(item), change * worldFromItem(scene, item));
+        case ItemKind::Object:
+            return withWorldTransform(scene, objectOf(item), change * worldFromItem(scene, item));
         case ItemKind::Group: {
             Group group = scene.groups.at(groupOf(item));
             const auto parentFromWorld = inverse(worldFromGroup(scene, group.parent));
             if (!parentFromWorld) return scene;
-            group.transform = toTransform(*parentFromWorld * change * worldFromGroup(scene, groupOf(item)));
+            group.transform =
+                toTransform(*parentFromWorld * change * worldFromGroup(scene, groupOf(item)));
             scene.groups.set(groupOf(item), std::move(group));
             return scene;
         }
         case ItemKind::Light:
-            scene.lights.set(lightOf(item), transformedLight(scene.lights.at(lightOf(item)), change));
+            scene.lights.set(lightOf(item),
+                             transformedLight(scene.lights.at(lightOf(item)), change));
             return scene;
         case ItemKind::Camera:
             if (item.id == 0)
                 scene.camera = transformedCamera(scene.camera, change);
             else
-                scene.cameras.set(cameraOf(item), transformedCamera(scene.cameras.at(cameraOf(item)), change));
+                scene.cameras.set(cameraOf(item),
+                                  transformedCamera(scene.cameras.at(cameraOf(item)), change));
             return scene;
     }
     return scene;
@@ -227,9 +278,13 @@ CopiedItems duplicated(Scene scene, const std::vector<Item>& items) {
     const std::vector<GroupId> groups = groupsWithin(scene, groupsAmong(tops));
     const std::vector<ObjectId> objects = objectsWithin(scene, tops);
     std::map<GroupId, GroupId> copyOf;
-    const auto mapped = [&](GroupId parent) { return copyOf.contains(parent) ? copyOf.at(parent) : parent; };
+    const auto mapped = [&](GroupId parent) {
+        return copyOf.contains(parent) ? copyOf.at(parent) : parent;
+    };
     const std::set<Item> chosen(tops.begin(), tops.end());
-    const auto note = [&](Item original, Item copy) { if (chosen.contains(original)) out.copies.push_back(copy); };
+    const auto note = [&](Item original, Item copy) {
+        if (chosen.contains(original)) out.copies.push_back(copy);
+    };
     for (const GroupId id : groups) {
         Group copy = scene.groups.at(id);
         copy.parent = mapped(copy.parent);
@@ -287,7 +342,9 @@ std::vector<ObjectId> objectsWithin(const Scene& scene, const std::vector<Item>&
     for (const Item item : items)
         if (item.kind == ItemKind::Object && exists(scene, item)) out.push_back(objectOf(item));
     if (!groups.empty())
-        scene.objects.forEach([&](ObjectId id, const Object& o) { if (isWithin(scene, o.parent, groups)) out.push_back(id); });
+        scene.objects.forEach([&](ObjectId id, const Object& o) {
+            if (isWithin(scene, o.parent, groups)) out.push_back(id);
+        });
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;

@@ -1,4 +1,5 @@
-// Item: one entry of the object list (object, group, light or camera), and what all of them can do. Pure functions.
+// Item: one entry of the object list (object, group, light or camera), and what all of them can do.
+// Pure functions.
 #pragma once
 
 #include <compare>
@@ -12,7 +13,8 @@ namespace glint {
 
 enum class ItemKind : std::uint8_t { Group, Object, Light, Camera };
 
-/// A reference into a scene. Camera 0 is the scene's own `camera`, the others are entries of `cameras`.
+/// A reference into a scene. Camera 0 is the scene's own `camera`, the others are entries of
+/// `cameras`.
 struct Item {
     ItemKind kind = ItemKind::Object;
     std::uint32_t id = 0;
@@ -32,7 +34,8 @@ enum class NameFault { None, Empty, Taken, Fixed };
 [[nodiscard]] NameFault nameFault(const Scene& scene, Item item, const std::string& name);
 [[nodiscard]] Scene renamed(Scene scene, Item item, std::string name);
 
-/// The item's own switch, not that of its groups. Cameras are always visible; only objects and groups can be locked.
+/// The item's own switch, not that of its groups. Cameras are always visible; only objects and
+/// groups can be locked.
 [[nodiscard]] bool isVisible(const Scene& scene, Item item);
 [[nodiscard]] bool isLocked(const Scene& scene, Item item);
 /// Locked itself or by a group above it.
@@ -61,6 +64,7 @@ struct CopiedItems {
 /// Without the items; a group goes with all that it holds. The scene's own camera stays.
 [[nodiscard]] Scene removed(Scene scene, const std::vector<Item>& items);
 /// All objects within the groups among `items`, and the objects among them.
-[[nodiscard]] std::vector<ObjectId> objectsWithin(const Scene& scene, const std::vector<Item>& items);
+[[nodiscard]] std::vector<ObjectId> objectsWithin(const Scene& scene,
+                                                  const std::vector<Item>& items);
 
 }  // namespace glint

@@ -14,10 +14,12 @@ struct ItemDifference {
 /// Calls visit(ItemDifference) for each group, object, light and named camera that differs.
 template <class Visit>
 void forEachItemDifference(const Scene& before, const Scene& after, Visit&& visit) {
-    const auto inTable = [&]<class T, class IdType>(const Table<T, IdType>& from, const Table<T, IdType>& to) {
+    const auto inTable = [&]<class T, class IdType>(const Table<T, IdType>& from,
+                                                    const Table<T, IdType>& to) {
         Table<T, IdType>::forEachDifference(from, to, [&](IdType id, const T* old, const T* now) {
             bool moved = false;
-            if constexpr (requires { old->parent; }) moved = old && now && old->parent != now->parent;
+            if constexpr (requires { old->parent; })
+                moved = old && now && old->parent != now->parent;
             visit(ItemDifference{Item::of(id), old != nullptr, now != nullptr, moved});
         });
     };

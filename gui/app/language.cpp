@@ -25,7 +25,8 @@ void install(const QString& name, const QString& folder) {
 }
 
 bool isChinese(Language language) {
-    return language == Language::Chinese || (language == Language::System && QLocale::system().language() == QLocale::Chinese);
+    return language == Language::Chinese ||
+           (language == Language::System && QLocale::system().language() == QLocale::Chinese);
 }
 
 }  // namespace
@@ -42,9 +43,12 @@ void applyLanguage(Language language) {
 
 QString nameOf(Language language) {
     switch (language) {
-        case Language::System: return QCoreApplication::translate("Language", "As the system");
-        case Language::English: return QStringLiteral("English");
-        case Language::Chinese: return QStringLiteral("简体中文");
+        case Language::System:
+            return QCoreApplication::translate("Language", "As the system");
+        case Language::English:
+            return QStringLiteral("English");
+        case Language::Chinese:
+            return QStringLiteral("简体中文");
     }
     return {};
 }

@@ -1,4 +1,5 @@
-// The language of the program's words: English as written in the code, others from resources/translations.
+// The language of the program's words: English as written in the code, others from
+// resources/translations.
 #pragma once
 
 #include <QString>

@@ -19,11 +19,30 @@
 
 namespace glint {
 
-MainMenus::MainMenus(const Parts& parts, QMainWindow& window) : QObject(&window), parts_(parts), window_(window) {
+MainMenus::MainMenus(const Parts& parts, QMainWindow& window)
+    : QObject(&window), parts_(parts), window_(window) {
     buildFileMenu();
-    addMenu(tr("&Edit"), {"edit.undo", "edit.redo", "-", "edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete", "-",
-                          "edit.selectAll", "edit.selectNone", "edit.rename", "-", "edit.hide", "edit.hideRest", "edit.showAll", "-",
-                          "edit.group", "edit.ungroup", "-", "edit.preferences"});
+    addMenu(tr("&Edit"), {"edit.undo",
+                          "edit.redo",
+                          "-",
+                          "edit.cut",
+                          "edit.copy",
+                          "edit.paste",
+                          "edit.duplicate",
+                          "edit.delete",
+                          "-",
+                          "edit.selectAll",
+                          "edit.selectNone",
+                          "edit.rename",
+                          "-",
+                          "edit.hide",
+                          "edit.hideRest",
+                          "edit.showAll",
+                          "-",
+                          "edit.group",
+                          "edit.ungroup",
+                          "-",
+                          "edit.preferences"});
     buildAddMenu();
     buildViewMenu();
     buildRenderMenu();
@@ -43,25 +62,52 @@ void MainMenus::buildFileMenu() {
     QMenu* file = addMenu(tr("&File"), {"file.new"});
     QMenu* templates = file->addMenu(tr("New from &template"));
     for (const auto& path : sceneFiles(templateFolder()))
-        connect(templates->addAction(sceneTitle(path)), &QAction::triggered, this, [this, path] { parts_.files.newFrom(path); });
+        connect(templates->addAction(sceneTitle(path)), &QAction::triggered, this,
+                [this, path] { parts_.files.newFrom(path); });
     parts_.actions.fill(file, {"file.startPage", "-", "file.open"});
     QMenu* recent = file->addMenu(tr("Open &recent"));
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
-    parts_.actions.fill(file, {"-", "file.save", "file.saveAs", "-", "file.export", "-", "file.quit"});
+    parts_.actions.fill(file,
+                        {"-", "file.save", "file.saveAs", "-", "file.export", "-", "file.quit"});
 }
 
 void MainMenus::buildAddMenu() {
     add_ = addMenu(tr("&Add"), {});
-    parts_.edits.fillAddMenu(add_, [this] { return addAt_.isNull() ? QRectF(parts_.picture.rect()).center() : addAt_; });
+    parts_.edits.fillAddMenu(
+        add_, [this] { return addAt_.isNull() ? QRectF(parts_.picture.rect()).center() : addAt_; });
     parts_.objects.setAddMenu(add_);
     parts_.actions.on("add.menu", this, &MainMenus::openAddMenu);
 }
 
 void MainMenus::buildViewMenu() {
-    QMenu* view = addMenu(tr("&View"), {"tool.select", "tool.move", "tool.rotate", "tool.scale", "tool.snap", "-", "view.frameSelected",
-                                        "view.frameAll", "-", "view.front", "view.behind", "view.right", "view.left", "view.top",
-                                        "view.bottom", "-", "view.projection", "view.camera", "-", "view.previous", "view.next", "-",
-                                        "view.overlay", "view.grid", "-", "view.filter", "view.darker", "view.brighter"});
+    QMenu* view = addMenu(tr("&View"), {"tool.select",
+                                        "tool.move",
+                                        "tool.rotate",
+                                        "tool.scale",
+                                        "tool.snap",
+                                        "-",
+                                        "view.frameSelected",
+                                        "view.frameAll",
+                                        "-",
+                                        "view.front",
+                                        "view.behind",
+                                        "view.right",
+                                        "view.left",
+                                        "view.top",
+                                        "view.bottom",
+                                        "-",
+                                        "view.projection",
+                                        "view.camera",
+                                        "-",
+                                        "view.previous",
+                                        "view.next",
+                                        "-",
+                                        "view.overlay",
+                                        "view.grid",
+                                        "-",
+                                        "view.filter",
+                                        "view.darker",
+                                        "view.brighter"});
     QMenu* cameras = view->addMenu(parts_.actions["view.camera"]->icon(), tr("Ca&meras"));
     cameras->setObjectName("cameras");
     connect(cameras, &QMenu::aboutToShow, this, [this, cameras] { fillCameras(cameras); });
@@ -70,16 +116,19 @@ void MainMenus::buildViewMenu() {
 }
 
 void MainMenus::buildRenderMenu() {
-    QMenu* render = addMenu(tr("&Render"), {"render.pause", "-", "view.region", "view.regionClear", "view.isolate", "view.compare", "-", "render.inspect"});
+    QMenu* render = addMenu(tr("&Render"), {"render.pause", "-", "view.region", "view.regionClear",
+                                            "view.isolate", "view.compare", "-", "render.inspect"});
     QMenu* channels = render->addMenu(tr("&Channel"));
     channels->setToolTipsVisible(true);
     for (const char* id : kChannelActions) channels->addAction(parts_.actions[id]);
-    parts_.actions.fill(render, {"-", "render.copy", "-", "render.errorReport", "-", "file.export"});
+    parts_.actions.fill(render,
+                        {"-", "render.copy", "-", "render.errorReport", "-", "file.export"});
 }
 
 void MainMenus::buildWindowMenu() {
     QMenu* menu = addMenu(tr("&Window"), {});
-    for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
+    for (QDockWidget* dock : window_.findChildren<QDockWidget*>())
+        menu->addAction(dock->toggleViewAction());
     parts_.actions.fill(menu, {"-", "window.light"});
 }
 
@@ -87,9 +136,12 @@ void MainMenus::buildContextMenu() {
     context_ = new QMenu(&window_);
     connect(this, &QObject::destroyed, context_, &QObject::deleteLater);
     context_->addMenu(add_);
-    parts_.actions.fill(context_, {"-", "edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete", "edit.rename", "-", "edit.hide",
-                                   "edit.hideRest", "edit.showAll", "edit.group", "edit.ungroup", "-", "view.frameSelected", "view.frameAll", "-"});
-    connect(context_->addAction(tr("&Inspect pixel")), &QAction::triggered, this, [this] { parts_.picture.inspect(addAt_); });
+    parts_.actions.fill(
+        context_, {"-", "edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete",
+                   "edit.rename", "-", "edit.hide", "edit.hideRest", "edit.showAll", "edit.group",
+                   "edit.ungroup", "-", "view.frameSelected", "view.frameAll", "-"});
+    connect(context_->addAction(tr("&Inspect pixel")), &QAction::triggered, this,
+            [this] { parts_.picture.inspect(addAt_); });
     connect(&parts_.picture, &RenderView::menuRequested, this, &MainMenus::openContextMenu);
     connect(&parts_.objects, &ObjectList::menuRequested, this, &MainMenus::openContextMenu);
 }
@@ -107,7 +159,8 @@ void MainMenus::openContextMenu(const QPoint& at) {
 void MainMenus::fillRecent(QMenu* menu) {
     menu->clear();
     for (const QString& file : parts_.files.recent())
-        connect(menu->addAction(file), &QAction::triggered, this, [this, file] { parts_.files.open(toPath(file)); });
+        connect(menu->addAction(file), &QAction::triggered, this,
+                [this, file] { parts_.files.open(toPath(file)); });
     if (menu->isEmpty()) menu->addAction(tr("None"))->setEnabled(false);
 }
 
@@ -121,20 +174,25 @@ void MainMenus::fillCameras(QMenu* menu) {
         connect(action, &QAction::triggered, this, [this, id] { parts_.edits.lookThrough(id); });
     };
     add({}, tr("Camera"));
-    scene.cameras.forEach([&](CameraId id, const Camera& camera) { add(id, toQString(camera.name)); });
+    scene.cameras.forEach(
+        [&](CameraId id, const Camera& camera) { add(id, toQString(camera.name)); });
 }
 
 void MainMenus::fillSavedViews(QMenu* menu) {
     menu->clear();
     const auto count = static_cast<int>(parts_.document.scene().views.size());
     for (int number = 1; number <= count; ++number) {
-        QAction* go = menu->addAction(tr("Go to view %1").arg(number) + QStringLiteral("\tCtrl+%1").arg(number));
-        connect(go, &QAction::triggered, this, [this, number] { parts_.views.goToSavedView(number); });
+        QAction* go = menu->addAction(tr("Go to view %1").arg(number) +
+                                      QStringLiteral("\tCtrl+%1").arg(number));
+        connect(go, &QAction::triggered, this,
+                [this, number] { parts_.views.goToSavedView(number); });
     }
     if (count > 0) menu->addSeparator();
     for (int number = 1; number <= std::min(count + 1, ViewCommands::kSavedViews); ++number) {
-        QAction* store = menu->addAction(tr("Store as view %1").arg(number) + QStringLiteral("\tCtrl+Shift+%1").arg(number));
-        connect(store, &QAction::triggered, this, [this, number] { parts_.views.storeView(number); });
+        QAction* store = menu->addAction(tr("Store as view %1").arg(number) +
+                                         QStringLiteral("\tCtrl+Shift+%1").arg(number));
+        connect(store, &QAction::triggered, this,
+                [this, number] { parts_.views.storeView(number); });
     }
 }
 

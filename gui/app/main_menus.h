@@ -1,4 +1,5 @@
-// MainMenus: the window's menu bar, the menu that opens over the picture, and those that fill themselves when they open.
+// MainMenus: the window's menu bar, the menu that opens over the picture, and those that fill
+// themselves when they open.
 #pragma once
 
 #include <QObject>
@@ -30,7 +31,8 @@ class MainMenus : public QObject {
         RenderView& picture;
         ObjectList& objects;
     };
-    /// Makes the menus of `window`, which must have its docks; they go with this object but for the bar, which is the window's.
+    /// Makes the menus of `window`, which must have its docks; they go with this object but for the
+    /// bar, which is the window's.
     MainMenus(const Parts& parts, QMainWindow& window);
 
   private:
@@ -51,7 +53,8 @@ class MainMenus : public QObject {
     QMainWindow& window_;
     QMenu* add_ = nullptr;
     QMenu* context_ = nullptr;
-    QPointF addAt_;  ///< where new things stand, in the picture's logical pixels; null: in its middle
+    QPointF
+        addAt_;  ///< where new things stand, in the picture's logical pixels; null: in its middle
 };
 
 }  // namespace glint

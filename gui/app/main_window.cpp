@@ -100,7 +100,8 @@ MainWindow::MainWindow(Memory memory, std::optional<FileReading> scene, QWidget*
     previews_ = new PreviewRenderer(this);
     previews_->hold();
     // Queued: when the first picture has been handed to the screen.
-    constexpr auto kOnceLater = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
+    constexpr auto kOnceLater =
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
     connect(view_, &RenderView::pictureShown, this, &MainWindow::endStart, kOnceLater);
     materialPreviews_ = new MaterialPreviews(document_, *previews_, this);
     thumbnails_ = new SceneThumbnails(*previews_, memory_, this);
@@ -113,7 +114,8 @@ MainWindow::MainWindow(Memory memory, std::optional<FileReading> scene, QWidget*
     applyTheme(preferences_.values().theme);
     applyLanguage(preferences_.values().language);
     applyPreferences(preferences_.values());
-    // The news of the language: too early to change anything, and later it would build the interface a second time.
+    // The news of the language: too early to change anything, and later it would build the
+    // interface a second time.
     QCoreApplication::sendPostedEvents(this, QEvent::LanguageChange);
     if (scene) beginWith(*std::move(scene));
     buildInterface();
@@ -121,7 +123,8 @@ MainWindow::MainWindow(Memory memory, std::optional<FileReading> scene, QWidget*
     QSettings settings;
     restoreGeometry(settings.value("geometry").toByteArray());
     restoreState(settings.value("layout").toByteArray());
-    autosave_->begin(toPath(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)) / "recovery");
+    autosave_->begin(toPath(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)) /
+                     "recovery");
     offerRecovery();
 }
 
@@ -146,21 +149,25 @@ void MainWindow::buildInterface() {
     statusBar()->addWidget(status_, 1);
     buildDocks();
     narrow_ = new NarrowLayout(*this, actions_);
-    menus_ = new MainMenus({*actions_, document_, *files_, *edits_, *viewCommands_, *view_, *objects_}, *this);
+    menus_ = new MainMenus(
+        {*actions_, document_, *files_, *edits_, *viewCommands_, *view_, *objects_}, *this);
     addToolBar(new ToolBar(document_, *view_, *actions_, this));
     connectFileActions();
     bindEditCommands(*actions_, *edits_, document_.undoStack(), selection_, *objects_);
     bindViewCommands(*actions_, *viewCommands_, *edits_, *view_);
     bindTools(*actions_, *view_);
     bindHelp(*actions_, *search_, *this);
-    new MissingAssets(document_, *renderer_, [this]() -> EnvironmentPicker& { return environment(); }, *messages_, actions_);
+    new MissingAssets(
+        document_, *renderer_, [this]() -> EnvironmentPicker& { return environment(); }, *messages_,
+        actions_);
     new PictureControls(*actions_, *renderer_, *view_, document_, selection_, actions_);
     connectState();
     updateTitle();
 }
 
 void MainWindow::removeInterface() {
-    for (QDialog* dialog : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) dialog->deleteLater();
+    for (QDialog* dialog : findChildren<QDialog*>(Qt::FindDirectChildrenOnly))
+        dialog->deleteLater();
     qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
     qDeleteAll(findChildren<QToolBar*>(Qt::FindDirectChildrenOnly));
     setMenuBar(nullptr);
@@ -195,7 +202,8 @@ void MainWindow::buildCenter() {
     statusBar()->setSizeGripEnabled(false);
 }
 
-LazyDock* MainWindow::addDock(const QString& name, const QString& title, Qt::DockWidgetArea area, std::function<QWidget*(QWidget* parent)> make) {
+LazyDock* MainWindow::addDock(const QString& name, const QString& title, Qt::DockWidgetArea area,
+                              std::function<QWidget*(QWidget* parent)> make) {
     auto* dock = new LazyDock(title, std::move(make), this);
     dock->setObjectName(name);
     addDockWidget(area, dock);
@@ -203,25 +211,41 @@ LazyDock* MainWindow::addDock(const QString& name, const QString& title, Qt::Doc
 }
 
 void MainWindow::buildDocks() {
-    LazyDock* objects = addDock("objects", tr("Objects"), Qt::LeftDockWidgetArea, [this](QWidget* parent) { return new ObjectList(document_, selection_, parent); });
+    LazyDock* objects =
+        addDock("objects", tr("Objects"), Qt::LeftDockWidgetArea,
+                [this](QWidget* parent) { return new ObjectList(document_, selection_, parent); });
     objects_ = static_cast<ObjectList*>(objects->content());
-    LazyDock* materials = addDock("materials", tr("Materials"), Qt::LeftDockWidgetArea,
-                                  [this](QWidget* parent) { return new MaterialPanel(document_, selection_, *materialPreviews_, parent); });
+    LazyDock* materials =
+        addDock("materials", tr("Materials"), Qt::LeftDockWidgetArea, [this](QWidget* parent) {
+            return new MaterialPanel(document_, selection_, *materialPreviews_, parent);
+        });
     materials_ = static_cast<MaterialPanel*>(materials->content());
-    environment_ = addDock("environment", tr("Environment"), Qt::LeftDockWidgetArea,
-                           [this](QWidget* parent) { return new EnvironmentPicker(document_, environmentFolder(), parent); });
-    LazyDock* properties = addDock("properties", tr("Properties"), Qt::RightDockWidgetArea,
-                                   [this](QWidget* parent) { return new PropertyPanel(document_, selection_, parent); });
+    environment_ =
+        addDock("environment", tr("Environment"), Qt::LeftDockWidgetArea, [this](QWidget* parent) {
+            return new EnvironmentPicker(document_, environmentFolder(), parent);
+        });
+    LazyDock* properties = addDock(
+        "properties", tr("Properties"), Qt::RightDockWidgetArea,
+        [this](QWidget* parent) { return new PropertyPanel(document_, selection_, parent); });
     properties_ = static_cast<PropertyPanel*>(properties->content());
     properties_->setPreviews(*materialPreviews_);
     connect(materials_, &MaterialPanel::chosen, properties_, &PropertyPanel::showMaterial);
-    connect(materials_, &MaterialPanel::refused, messages_, [this](const QString& reason) { messages_->show(MessageBar::Level::Warning, reason); });
-    QDockWidget* render = addDock("render", tr("Render"), Qt::RightDockWidgetArea, [this](QWidget* parent) { return new RenderPanel(document_, parent); });
-    QDockWidget* exports = addDock("exports", tr("Exports"), Qt::RightDockWidgetArea, [this](QWidget* parent) { return new ExportPanel(*exports_, parent); });
-    QDockWidget* history = addDock("history", tr("History"), Qt::RightDockWidgetArea, [this](QWidget* parent) { return makeHistory(document_, parent); });
-    QDockWidget* statistics = addDock("statistics", tr("Statistics"), Qt::RightDockWidgetArea,
-                                      [this](QWidget* parent) { return new StatisticsPanel(document_, *renderer_, parent); });
-    QDockWidget* log = addDock("log", tr("Log"), Qt::RightDockWidgetArea, [this](QWidget* parent) { return makeLog(*log_, parent); });
+    connect(materials_, &MaterialPanel::refused, messages_,
+            [this](const QString& reason) { messages_->show(MessageBar::Level::Warning, reason); });
+    QDockWidget* render =
+        addDock("render", tr("Render"), Qt::RightDockWidgetArea,
+                [this](QWidget* parent) { return new RenderPanel(document_, parent); });
+    QDockWidget* exports =
+        addDock("exports", tr("Exports"), Qt::RightDockWidgetArea,
+                [this](QWidget* parent) { return new ExportPanel(*exports_, parent); });
+    QDockWidget* history =
+        addDock("history", tr("History"), Qt::RightDockWidgetArea,
+                [this](QWidget* parent) { return makeHistory(document_, parent); });
+    QDockWidget* statistics = addDock(
+        "statistics", tr("Statistics"), Qt::RightDockWidgetArea,
+        [this](QWidget* parent) { return new StatisticsPanel(document_, *renderer_, parent); });
+    QDockWidget* log = addDock("log", tr("Log"), Qt::RightDockWidgetArea,
+                               [this](QWidget* parent) { return makeLog(*log_, parent); });
     tabifyDockWidget(materials, environment_);
     materials->raise();
     tabifyDockWidget(properties, render);
@@ -229,12 +253,15 @@ void MainWindow::buildDocks() {
     tabifyDockWidget(history, exports);
     tabifyDockWidget(exports, statistics);
     tabifyDockWidget(statistics, log);
-    // Seldom wanted, and six tabs would cut each other's names: the Window menu shows them, and an export its own.
+    // Seldom wanted, and six tabs would cut each other's names: the Window menu shows them, and an
+    // export its own.
     exports->hide();
     statistics->hide();
     log->hide();
-    inspector_ = addDock("inspector", tr("Pixel"), Qt::BottomDockWidgetArea,
-                         [this](QWidget* parent) { return new PixelInspector(document_, *renderer_, selection_, parent); });
+    inspector_ =
+        addDock("inspector", tr("Pixel"), Qt::BottomDockWidgetArea, [this](QWidget* parent) {
+            return new PixelInspector(document_, *renderer_, selection_, parent);
+        });
     inspector_->hide();
     connect(view_, &RenderView::inspectRequested, inspector_, [this](const QPoint& pixel) {
         PixelInspector& content = inspector();
@@ -244,14 +271,19 @@ void MainWindow::buildDocks() {
     });
     properties->raise();
     const int unit = fontMetrics().averageCharWidth();
-    // Wide enough for any form: a panel that grew with the selection would shrink the picture and start it anew.
+    // Wide enough for any form: a panel that grew with the selection would shrink the picture and
+    // start it anew.
     resizeDocks({objects, properties}, {unit * 40, unit * 64}, Qt::Horizontal);
     resizeDocks({objects, materials}, {360, 380}, Qt::Vertical);
 }
 
-EnvironmentPicker& MainWindow::environment() { return static_cast<EnvironmentPicker&>(*environment_->content()); }
+EnvironmentPicker& MainWindow::environment() {
+    return static_cast<EnvironmentPicker&>(*environment_->content());
+}
 
-PixelInspector& MainWindow::inspector() { return static_cast<PixelInspector&>(*inspector_->content()); }
+PixelInspector& MainWindow::inspector() {
+    return static_cast<PixelInspector&>(*inspector_->content());
+}
 
 void MainWindow::connectFileActions() {
     actions_->on("file.new", files_, &FileController::newScene);
@@ -260,7 +292,8 @@ void MainWindow::connectFileActions() {
     actions_->on("file.save", files_, &FileController::save);
     actions_->on("file.saveAs", files_, &FileController::saveAs);
     actions_->on("file.export", this, &MainWindow::openExport);
-    actions_->on("render.errorReport", this, [this] { (new ErrorReportDialog(document_, this))->show(); });
+    actions_->on("render.errorReport", this,
+                 [this] { (new ErrorReportDialog(document_, this))->show(); });
     actions_->on("file.quit", this, &QWidget::close);
     actions_->on("render.pause", renderer_, [this](bool paused) { renderer_->setPaused(paused); });
     actions_->on("edit.preferences", this, &MainWindow::openPreferences);
@@ -270,12 +303,15 @@ void MainWindow::connectFileActions() {
         values.theme = light ? Theme::Light : Theme::Dark;
         preferences_.set(values);
     });
-    connect(&preferences_, &Preferences::changed, actions_,
-            [this] { (*actions_)["window.light"]->setChecked(preferences_.values().theme == Theme::Light); });
+    connect(&preferences_, &Preferences::changed, actions_, [this] {
+        (*actions_)["window.light"]->setChecked(preferences_.values().theme == Theme::Light);
+    });
 }
 
 void MainWindow::connectState() {
-    const auto warn = [this](const QString& reason) { messages_->show(MessageBar::Level::Warning, reason); };
+    const auto warn = [this](const QString& reason) {
+        messages_->show(MessageBar::Level::Warning, reason);
+    };
     connect(edits_, &EditController::refused, actions_, warn);
     connect(objects_, &ObjectList::refused, actions_, warn);
     const auto updateSelection = [this] { updateSelectionText(); };
@@ -301,14 +337,17 @@ void MainWindow::connectDisk() {
     connect(files_, &FileController::saved, fileWatch_, &FileWatch::noteSceneFile);
     connect(fileWatch_, &FileWatch::assetsChanged, this, [this](const QStringList& changed) {
         renderer_->reload();
-        statusBar()->showMessage(tr("Reloaded %1").arg(QFileInfo(changed.first()).fileName()), kNoticeMs);
+        statusBar()->showMessage(tr("Reloaded %1").arg(QFileInfo(changed.first()).fileName()),
+                                 kNoticeMs);
     });
     connect(fileWatch_, &FileWatch::sceneFileChanged, this, [this] {
-        messages_->show(MessageBar::Level::Info, tr("%1 was changed by another program").arg(document_.title()), {},
+        messages_->show(MessageBar::Level::Info,
+                        tr("%1 was changed by another program").arg(document_.title()), {},
                         {{tr("Reload"), [this] { files_->open(document_.file()); }}});
     });
     connect(autosave_.get(), &Autosave::failed, this, [this](const QString& reason) {
-        messages_->show(MessageBar::Level::Warning, tr("Unsaved work cannot be kept safe: %1").arg(reason));
+        messages_->show(MessageBar::Level::Warning,
+                        tr("Unsaved work cannot be kept safe: %1").arg(reason));
     });
 }
 
@@ -316,11 +355,13 @@ void MainWindow::offerRecovery() {
     const auto leftovers = autosave_->leftovers();
     if (leftovers.empty()) return;
     const Autosave::Leftover found = leftovers.front();
-    const QString name = found.original.empty() ? tr("an untitled scene") : pathText(found.original.filename());
+    const QString name =
+        found.original.empty() ? tr("an untitled scene") : pathText(found.original.filename());
     const auto recover = [this, found] {
         files_->whenSafe([this, found] {
             if (const Status status = autosave_->recover(found); !status)
-                messages_->show(MessageBar::Level::Error, tr("Not recovered: %1").arg(toQString(status.error())));
+                messages_->show(MessageBar::Level::Error,
+                                tr("Not recovered: %1").arg(toQString(status.error())));
         });
     };
     const auto discard = [this, found] {
@@ -328,17 +369,21 @@ void MainWindow::offerRecovery() {
         offerRecovery();
     };
     recoveryBar_->show(MessageBar::Level::Warning,
-                       tr("Glint ended with unsaved changes to %1, kept at %2.").arg(name, QLocale().toString(found.time, QLocale::ShortFormat)),
+                       tr("Glint ended with unsaved changes to %1, kept at %2.")
+                           .arg(name, QLocale().toString(found.time, QLocale::ShortFormat)),
                        pathText(found.copy), {{tr("Recover"), recover}, {tr("Discard"), discard}});
 }
 
 void MainWindow::updateTitle() {
-    setWindowTitle(QStringLiteral("%1%2 — Glint").arg(document_.title(), document_.isModified() ? QStringLiteral(" *") : QString()));
+    setWindowTitle(
+        QStringLiteral("%1%2 — Glint")
+            .arg(document_.title(), document_.isModified() ? QStringLiteral(" *") : QString()));
 }
 
 void MainWindow::updateSelectionText() {
     const auto& items = selection_.items();
-    if (items.size() > 1) return status_->showSelection(tr("%n selected", nullptr, static_cast<int>(items.size())));
+    if (items.size() > 1)
+        return status_->showSelection(tr("%n selected", nullptr, static_cast<int>(items.size())));
     if (items.empty()) return status_->showSelection({});
     const std::string name = nameOf(document_.scene(), items.front());
     status_->showSelection(name.empty() ? tr("Camera") : toQString(name));
@@ -355,7 +400,9 @@ void MainWindow::openExport() {
     dialog->show();
 }
 
-void MainWindow::openPreferences() { (new PreferencesDialog(preferences_, *actions_, this))->show(); }
+void MainWindow::openPreferences() {
+    (new PreferencesDialog(preferences_, *actions_, this))->show();
+}
 
 void MainWindow::showStartPage() {
     hideStartPage();
@@ -381,7 +428,9 @@ void MainWindow::applyPreferences(const PreferenceValues& before) {
     const PreferenceValues& now = preferences_.values();
     if (now.theme != before.theme) applyTheme(now.theme);
     if (now.language != before.language) applyLanguage(now.language);
-    autosave_->setDelay(now.autosaveSeconds > 0 ? std::optional(std::chrono::seconds(now.autosaveSeconds)) : std::nullopt);
+    autosave_->setDelay(now.autosaveSeconds > 0
+                            ? std::optional(std::chrono::seconds(now.autosaveSeconds))
+                            : std::nullopt);
     renderer_->setThreads(now.renderThreads);
     view_->context().navigation = {now.invertWheel, now.orbitSelection};
 }
@@ -400,8 +449,10 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::openDropped(const std::filesystem::path& file) {
-    if (isPicture(file)) environment().choose(file);
-    else files_->open(file);
+    if (isPicture(file))
+        environment().choose(file);
+    else
+        files_->open(file);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

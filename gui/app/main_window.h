@@ -1,5 +1,5 @@
-// MainWindow: puts the parts together: document, renderer, viewport, docks, menus. What commands do is in the controllers;
-// here is which action calls which of them.
+// MainWindow: puts the parts together: document, renderer, viewport, docks, menus. What commands do
+// is in the controllers; here is which action calls which of them.
 #pragma once
 
 #include <QMainWindow>
@@ -48,7 +48,8 @@ class MainWindow : public QMainWindow {
 
   public:
     /// Opens `scene` once it has been read.
-    explicit MainWindow(Memory memory, std::optional<FileReading> scene = {}, QWidget* parent = nullptr);
+    explicit MainWindow(Memory memory, std::optional<FileReading> scene = {},
+                        QWidget* parent = nullptr);
     ~MainWindow() override;
 
     [[nodiscard]] Document& document() { return document_; }
@@ -89,8 +90,9 @@ class MainWindow : public QMainWindow {
     /// The first picture is on the screen: what had to wait for it may begin.
     void endStart();
     void buildCenter();
-    /// Makes everything with words on it but the picture: actions, docks, menus, bars. All of it goes, and is made anew,
-    /// when the language changes: connections from what stays must therefore have `actions_` as their context.
+    /// Makes everything with words on it but the picture: actions, docks, menus, bars. All of it
+    /// goes, and is made anew, when the language changes: connections from what stays must
+    /// therefore have `actions_` as their context.
     void buildInterface();
     void removeInterface();
     void buildDocks();
@@ -98,7 +100,8 @@ class MainWindow : public QMainWindow {
     void connectState();
     void connectDisk();
     /// `make` builds the content when the dock is first seen or asked for.
-    LazyDock* addDock(const QString& name, const QString& title, Qt::DockWidgetArea area, std::function<QWidget*(QWidget* parent)> make);
+    LazyDock* addDock(const QString& name, const QString& title, Qt::DockWidgetArea area,
+                      std::function<QWidget*(QWidget* parent)> make);
     void updateTitle();
     void updateSelectionText();
     void openExport();

@@ -50,14 +50,16 @@ MaterialAdded withDuplicateMaterial(Scene scene, MaterialId material) {
 QMimeData* materialMime(MaterialId material) {
     auto* mime = new QMimeData;
     // The process too: an id means nothing in another window.
-    mime->setData(kMaterialMimeType, QByteArray::number(QCoreApplication::applicationPid()) + ' ' + QByteArray::number(material.value));
+    mime->setData(kMaterialMimeType, QByteArray::number(QCoreApplication::applicationPid()) + ' ' +
+                                         QByteArray::number(material.value));
     return mime;
 }
 
 std::optional<MaterialId> draggedMaterial(const QMimeData* mime, const Scene& scene) {
     if (!mime || !mime->hasFormat(kMaterialMimeType)) return std::nullopt;
     const QList<QByteArray> parts = mime->data(kMaterialMimeType).split(' ');
-    if (parts.size() != 2 || parts[0].toLongLong() != QCoreApplication::applicationPid()) return std::nullopt;
+    if (parts.size() != 2 || parts[0].toLongLong() != QCoreApplication::applicationPid())
+        return std::nullopt;
     const MaterialId id{parts[1].toUInt()};
     return scene.materials.find(id) ? std::optional(id) : std::nullopt;
 }

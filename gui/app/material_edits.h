@@ -1,4 +1,5 @@
-// What can be done with the materials of a scene. Pure functions, see tracer/scene/edit.h for the basic ones.
+// What can be done with the materials of a scene. Pure functions, see tracer/scene/edit.h for the
+// basic ones.
 #pragma once
 
 #include <QMimeData>
@@ -11,7 +12,8 @@
 namespace glint {
 
 /// Gives the material to the objects.
-[[nodiscard]] Scene withAssigned(Scene scene, const std::vector<ObjectId>& objects, MaterialId material);
+[[nodiscard]] Scene withAssigned(Scene scene, const std::vector<ObjectId>& objects,
+                                 MaterialId material);
 /// Materials that an object has, or that such a one is made of.
 [[nodiscard]] std::vector<MaterialId> usedMaterials(const Scene& scene);
 [[nodiscard]] Scene withoutUnusedMaterials(Scene scene);

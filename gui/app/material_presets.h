@@ -1,4 +1,5 @@
-// Materials that come with the program: resources/materials/presets.json, each with the source of its numbers.
+// Materials that come with the program: resources/materials/presets.json, each with the source of
+// its numbers.
 #pragma once
 
 #include <QString>

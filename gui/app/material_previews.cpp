@@ -5,7 +5,8 @@
 
 namespace glint {
 
-MaterialPreviews::MaterialPreviews(const Document& document, PreviewRenderer& renderer, QObject* parent)
+MaterialPreviews::MaterialPreviews(const Document& document, PreviewRenderer& renderer,
+                                   QObject* parent)
     : QObject(parent), document_(document), renderer_(renderer) {
     connect(&document, &Document::changed, this, &MaterialPreviews::onDocumentChanged);
     connect(&document, &Document::replaced, this, [this] { shown_.clear(); });
@@ -13,26 +14,32 @@ MaterialPreviews::MaterialPreviews(const Document& document, PreviewRenderer& re
     connect(&renderer, &PreviewRenderer::released, this, &MaterialPreviews::onReleased);
 }
 
-void MaterialPreviews::ask(Shown& shown, const Scene& scene, MaterialId material, const QString& slot) {
+void MaterialPreviews::ask(Shown& shown, const Scene& scene, MaterialId material,
+                           const QString& slot) {
     // Not even the key: writing down a scene for each material takes its time.
     if (renderer_.isHeld()) return;
     Scene preview = materialPreview(scene, material, {kSide, kSide});
     const QString key = previewKey(preview);
     if (key == shown.key) return;
     shown.key = key;
-    if (const QImage made = renderer_.picture(key); !made.isNull()) shown.picture = made;
-    else renderer_.request({key, slot, std::move(preview), document_.assetFolder()});
+    if (const QImage made = renderer_.picture(key); !made.isNull())
+        shown.picture = made;
+    else
+        renderer_.request({key, slot, std::move(preview), document_.assetFolder()});
 }
 
 QImage MaterialPreviews::of(MaterialId material) {
     if (!document_.scene().materials.find(material)) return {};
     Shown& shown = shown_[material];
-    if (shown.key.isEmpty()) ask(shown, document_.scene(), material, QStringLiteral("material %1").arg(material.value));
+    if (shown.key.isEmpty())
+        ask(shown, document_.scene(), material, QStringLiteral("material %1").arg(material.value));
     return shown.picture;
 }
 
 void MaterialPreviews::hurry(MaterialId material) {
-    if (const auto found = shown_.find(material); found != shown_.end() && found->second.picture.isNull()) found->second.key.clear();
+    if (const auto found = shown_.find(material);
+        found != shown_.end() && found->second.picture.isNull())
+        found->second.key.clear();
     (void)of(material);
 }
 
@@ -50,7 +57,9 @@ void MaterialPreviews::onDocumentChanged(const Scene& before) {
         if (!now) continue;
         const Material* old = before.materials.find(material);
         // A mix changes with its parts: its key is asked again always.
-        if (old && *old == *now && !std::holds_alternative<Mix>(now->value) && before.textures == after.textures) continue;
+        if (old && *old == *now && !std::holds_alternative<Mix>(now->value) &&
+            before.textures == after.textures)
+            continue;
         ask(shown, after, material, QStringLiteral("material %1").arg(material.value));
         emit changed(material);
     }

@@ -16,12 +16,14 @@ class MaterialPreviews : public QObject {
     Q_OBJECT
 
   public:
-    MaterialPreviews(const Document& document, PreviewRenderer& renderer, QObject* parent = nullptr);
+    MaterialPreviews(const Document& document, PreviewRenderer& renderer,
+                     QObject* parent = nullptr);
 
     /// Side of the pictures, in device pixels.
     static constexpr int kSide = 128;
 
-    /// The newest picture of the material; null, or that of an older state of it, while the right one is made.
+    /// The newest picture of the material; null, or that of an older state of it, while the right
+    /// one is made.
     [[nodiscard]] QImage of(MaterialId material);
     /// Makes the material's first picture before those of others: somebody looks at it.
     void hurry(MaterialId material);

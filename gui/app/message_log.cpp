@@ -17,8 +17,9 @@ MessageLog::MessageLog(MessageBar& messages, QObject* parent) : QStandardItemMod
 }
 
 void MessageLog::add(MessageBar::Level level, const QString& text, const QString& details) {
-    auto* line = new QStandardItem(icon(level == MessageBar::Level::Info ? "info" : "warning"),
-                                   QTime::currentTime().toString("HH:mm:ss") + QStringLiteral("  ") + text);
+    auto* line =
+        new QStandardItem(icon(level == MessageBar::Level::Info ? "info" : "warning"),
+                          QTime::currentTime().toString("HH:mm:ss") + QStringLiteral("  ") + text);
     line->setEditable(false);
     line->setToolTip(details.isEmpty() ? text : text + '\n' + details);
     appendRow(line);

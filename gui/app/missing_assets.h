@@ -1,4 +1,5 @@
-// MissingAssets: says in the message bar which file the scene asks for and the disk has not, and helps to find it.
+// MissingAssets: says in the message bar which file the scene asks for and the disk has not, and
+// helps to find it.
 #pragma once
 
 #include <QObject>
@@ -17,10 +18,13 @@ class MissingAssets : public QObject {
 
   public:
     /// `environment` is asked for only when the person wants another picture.
-    MissingAssets(const Document& document, const Renderer& renderer, std::function<EnvironmentPicker&()> environment, MessageBar& messages, QObject* parent);
+    MissingAssets(const Document& document, const Renderer& renderer,
+                  std::function<EnvironmentPicker&()> environment, MessageBar& messages,
+                  QObject* parent);
 
   private:
-    /// Once for each choice of a file: a person who dismissed the message is not told again at every edit.
+    /// Once for each choice of a file: a person who dismissed the message is not told again at
+    /// every edit.
     void check();
 
     const Document& document_;

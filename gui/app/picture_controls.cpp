@@ -12,15 +12,23 @@
 
 namespace glint {
 
-const char* const kChannelActions[kChannels] = {"channel.beauty", "channel.albedo",   "channel.normal",  "channel.depth", "channel.position",
-                                                "channel.object", "channel.material", "channel.samples", "channel.error", "channel.luminance"};
+const char* const kChannelActions[kChannels] = {
+    "channel.beauty", "channel.albedo",   "channel.normal",  "channel.depth", "channel.position",
+    "channel.object", "channel.material", "channel.samples", "channel.error", "channel.luminance"};
 
-PictureControls::PictureControls(Actions& actions, Renderer& renderer, RenderView& view, Document& document, Selection& selection, QObject* parent)
-    : QObject(parent), actions_(actions), renderer_(renderer), view_(view), document_(document), selection_(selection) {
+PictureControls::PictureControls(Actions& actions, Renderer& renderer, RenderView& view,
+                                 Document& document, Selection& selection, QObject* parent)
+    : QObject(parent),
+      actions_(actions),
+      renderer_(renderer),
+      view_(view),
+      document_(document),
+      selection_(selection) {
     connectChannels();
     connect(actions["view.filter"], &QAction::triggered, &renderer, &Renderer::setFiltered);
     connect(actions["view.region"], &QAction::triggered, &view, &RenderView::beginRegion);
-    connect(actions["view.regionClear"], &QAction::triggered, &renderer, [this] { renderer_.setRegion(std::nullopt); });
+    connect(actions["view.regionClear"], &QAction::triggered, &renderer,
+            [this] { renderer_.setRegion(std::nullopt); });
     connect(actions["view.isolate"], &QAction::triggered, this, &PictureControls::toggleIsolation);
     connect(actions["render.copy"], &QAction::triggered, this, &PictureControls::copyPicture);
     connect(actions["view.compare"], &QAction::triggered, this, &PictureControls::toggleComparison);
@@ -38,7 +46,8 @@ void PictureControls::connectChannels() {
         group->addAction(action);
         action->setShortcutContext(Qt::WidgetShortcut);
         view_.addAction(action);
-        connect(action, &QAction::triggered, &renderer_, [this, i] { renderer_.setChannel(static_cast<Channel>(i)); });
+        connect(action, &QAction::triggered, &renderer_,
+                [this, i] { renderer_.setChannel(static_cast<Channel>(i)); });
     }
 }
 
@@ -51,7 +60,8 @@ void PictureControls::toggleIsolation(bool on) {
 void PictureControls::copyPicture() {
     const SessionFrame* frame = renderer_.frame();
     if (!frame || frame->width == 0) return;
-    const QImage image(reinterpret_cast<const uchar*>(frame->pixels.data()), frame->width, frame->height, frame->width * 4, QImage::Format_RGB32);
+    const QImage image(reinterpret_cast<const uchar*>(frame->pixels.data()), frame->width,
+                       frame->height, frame->width * 4, QImage::Format_RGB32);
     QGuiApplication::clipboard()->setImage(image.copy());
 }
 

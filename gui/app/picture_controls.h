@@ -1,5 +1,5 @@
-// PictureControls: the actions that choose what the viewport shows and where it works: channels, filter, region, isolation; and
-// the one that copies it.
+// PictureControls: the actions that choose what the viewport shows and where it works: channels,
+// filter, region, isolation; and the one that copies it.
 #pragma once
 
 #include <QObject>
@@ -18,7 +18,8 @@ class PictureControls : public QObject {
     Q_OBJECT
 
   public:
-    PictureControls(Actions& actions, Renderer& renderer, RenderView& view, Document& document, Selection& selection, QObject* parent);
+    PictureControls(Actions& actions, Renderer& renderer, RenderView& view, Document& document,
+                    Selection& selection, QObject* parent);
 
   private:
     void connectChannels();

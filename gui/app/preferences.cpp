@@ -40,7 +40,9 @@ PreferenceValues stored() {
 void store(const PreferenceValues& values) {
     QSettings settings;
     settings.beginGroup("preferences");
-    forEachPreference(values, [&](const char* key, const auto& value) { settings.setValue(key, static_cast<int>(value)); });
+    forEachPreference(values, [&](const char* key, const auto& value) {
+        settings.setValue(key, static_cast<int>(value));
+    });
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Preferences: what a person wants of the program, whatever the scene. Kept between runs, applied at once.
+// Preferences: what a person wants of the program, whatever the scene. Kept between runs, applied
+// at once.
 #pragma once
 
 #include <QObject>
@@ -12,11 +13,12 @@ namespace glint {
 struct PreferenceValues {
     Theme theme = Theme::Dark;
     Language language = Language::System;
-    int renderThreads = 0;      ///< 0: one for each processor
-    int autosaveSeconds = 20;   ///< 0: never
-    bool invertWheel = false;   ///< the wheel towards the hand comes closer
-    bool orbitSelection = false;  ///< orbit about the selection instead of the point under the pointer
-    bool startPage = true;      ///< shown when the program starts without a scene
+    int renderThreads = 0;     ///< 0: one for each processor
+    int autosaveSeconds = 20;  ///< 0: never
+    bool invertWheel = false;  ///< the wheel towards the hand comes closer
+    bool orbitSelection =
+        false;              ///< orbit about the selection instead of the point under the pointer
+    bool startPage = true;  ///< shown when the program starts without a scene
 
     bool operator==(const PreferenceValues&) const = default;
 };

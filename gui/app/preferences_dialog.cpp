@@ -13,7 +13,7 @@
 namespace glint {
 
 PreferencesDialog::PreferencesDialog(Preferences& preferences, Actions& actions, QWidget* parent)
-     : QDialog(parent), preferences_(preferences) {
+    : QDialog(parent), preferences_(preferences) {
     setWindowTitle(tr("Preferences"));
     setAttribute(Qt::WA_DeleteOnClose);
     auto* tabs = new QTabWidget(this);
@@ -51,7 +51,8 @@ void addRow(QFormLayout* form, const QString& label, const QString& tip, QWidget
 
 template <class T>
 void PreferencesDialog::addChoice(QFormLayout* form, const QString& label, const QString& tip,
-                                  const std::vector<std::pair<QString, T>>& choices, T PreferenceValues::*member) {
+                                  const std::vector<std::pair<QString, T>>& choices,
+                                  T PreferenceValues::*member) {
     auto* combo = new QComboBox(form->parentWidget());
     for (const auto& [text, value] : choices) {
         combo->addItem(text);
@@ -65,7 +66,8 @@ void PreferencesDialog::addChoice(QFormLayout* form, const QString& label, const
     addRow(form, label, tip, combo);
 }
 
-void PreferencesDialog::addSwitch(QFormLayout* form, const QString& label, const QString& tip, bool PreferenceValues::*member) {
+void PreferencesDialog::addSwitch(QFormLayout* form, const QString& label, const QString& tip,
+                                  bool PreferenceValues::*member) {
     auto* box = new QCheckBox(form->parentWidget());
     box->setChecked(preferences_.values().*member);
     connect(box, &QCheckBox::toggled, this, [this, member](bool on) {
@@ -76,8 +78,8 @@ void PreferencesDialog::addSwitch(QFormLayout* form, const QString& label, const
     addRow(form, label, tip, box);
 }
 
-void PreferencesDialog::addNumber(QFormLayout* form, const QString& label, const QString& tip, int max, const QString& unit,
-                                  int PreferenceValues::*member) {
+void PreferencesDialog::addNumber(QFormLayout* form, const QString& label, const QString& tip,
+                                  int max, const QString& unit, int PreferenceValues::*member) {
     auto* number = new DragNumber(form->parentWidget());
     number->setRange({.min = 0, .max = static_cast<double>(max), .integer = true});
     number->setUnit(unit);
@@ -95,24 +97,33 @@ void PreferencesDialog::addNumber(QFormLayout* form, const QString& label, const
 QWidget* PreferencesDialog::buildGeneral() {
     auto* page = new QWidget(this);
     QFormLayout* form = makePage(page);
-    addChoice<Theme>(form, tr("Theme"), tr("Both are neutral grey, so that they do not tint the picture"),
-                     {{tr("Dark"), Theme::Dark}, {tr("Light"), Theme::Light}}, &PreferenceValues::theme);
+    addChoice<Theme>(
+        form, tr("Theme"), tr("Both are neutral grey, so that they do not tint the picture"),
+        {{tr("Dark"), Theme::Dark}, {tr("Light"), Theme::Light}}, &PreferenceValues::theme);
     std::vector<std::pair<QString, Language>> languages;
-    for (const Language language : {Language::System, Language::English, Language::Chinese}) languages.emplace_back(nameOf(language), language);
-    addChoice<Language>(form, tr("Language"), tr("Changes at once"), languages, &PreferenceValues::language);
-    addNumber(form, tr("Render threads"), tr("Threads that draw the picture; 0: one for each processor"), kMostThreads, {},
+    for (const Language language : {Language::System, Language::English, Language::Chinese})
+        languages.emplace_back(nameOf(language), language);
+    addChoice<Language>(form, tr("Language"), tr("Changes at once"), languages,
+                        &PreferenceValues::language);
+    addNumber(form, tr("Render threads"),
+              tr("Threads that draw the picture; 0: one for each processor"), kMostThreads, {},
               &PreferenceValues::renderThreads);
-    addNumber(form, tr("Save automatically every"), tr("A copy for recovery, beside the file; 0: never"), kMostAutosaveSeconds, "s",
+    addNumber(form, tr("Save automatically every"),
+              tr("A copy for recovery, beside the file; 0: never"), kMostAutosaveSeconds, "s",
               &PreferenceValues::autosaveSeconds);
-    addSwitch(form, tr("Start page"), tr("Show demos and recent files when the program starts without a scene"), &PreferenceValues::startPage);
+    addSwitch(form, tr("Start page"),
+              tr("Show demos and recent files when the program starts without a scene"),
+              &PreferenceValues::startPage);
     return page;
 }
 
 QWidget* PreferencesDialog::buildNavigation() {
     auto* page = new QWidget(this);
     QFormLayout* form = makePage(page);
-    addSwitch(form, tr("Wheel backwards"), tr("Turning the wheel towards you comes closer"), &PreferenceValues::invertWheel);
-    addSwitch(form, tr("Orbit about the selection"), tr("Off: about the point under the pointer"), &PreferenceValues::orbitSelection);
+    addSwitch(form, tr("Wheel backwards"), tr("Turning the wheel towards you comes closer"),
+              &PreferenceValues::invertWheel);
+    addSwitch(form, tr("Orbit about the selection"), tr("Off: about the point under the pointer"),
+              &PreferenceValues::orbitSelection);
     return page;
 }
 

@@ -23,10 +23,12 @@ class PreferencesDialog : public QDialog {
     [[nodiscard]] QWidget* buildNavigation();
     /// A list of choices for the member that `get` gives.
     template <class T>
-    void addChoice(QFormLayout* form, const QString& label, const QString& tip, const std::vector<std::pair<QString, T>>& choices,
-                   T PreferenceValues::*member);
-    void addSwitch(QFormLayout* form, const QString& label, const QString& tip, bool PreferenceValues::*member);
-    void addNumber(QFormLayout* form, const QString& label, const QString& tip, int max, const QString& unit, int PreferenceValues::*member);
+    void addChoice(QFormLayout* form, const QString& label, const QString& tip,
+                   const std::vector<std::pair<QString, T>>& choices, T PreferenceValues::*member);
+    void addSwitch(QFormLayout* form, const QString& label, const QString& tip,
+                   bool PreferenceValues::*member);
+    void addNumber(QFormLayout* form, const QString& label, const QString& tip, int max,
+                   const QString& unit, int PreferenceValues::*member);
 
     Preferences& preferences_;
 };

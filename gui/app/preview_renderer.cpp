@@ -17,9 +17,11 @@ namespace {
 
 constexpr int kMostPictures = 1024;
 constexpr int kDraftSpp = 4;
-constexpr int kNiceness = 5;  ///< as the render that the person looks at: lower, it would starve behind it
+constexpr int kNiceness =
+    5;  ///< as the render that the person looks at: lower, it would starve behind it
 
-QImage trace(Scene scene, int spp, const std::filesystem::path& folder, AssetCache& assets, const std::atomic<bool>& stop) {
+QImage trace(Scene scene, int spp, const std::filesystem::path& folder, AssetCache& assets,
+             const std::atomic<bool>& stop) {
     scene.render.spp = spp;
     scene.render.timeSeconds = scene.render.errorPercent = 0;
     const auto compiled = compile(scene, folder, assets);
@@ -29,7 +31,8 @@ QImage trace(Scene scene, int spp, const std::filesystem::path& folder, AssetCac
     request.stop = &stop;
     request.filter = true;  // A few samples must do for a small picture.
     const Rendering rendering = render(compiled.value().scene, request);
-    return stop.load(std::memory_order_relaxed) ? QImage() : screenPicture(rendering.filtered, scene.display);
+    return stop.load(std::memory_order_relaxed) ? QImage()
+                                                : screenPicture(rendering.filtered, scene.display);
 }
 
 }  // namespace
@@ -39,7 +42,8 @@ QImage screenPicture(const Image& image, const Display& display) {
     QImage out(image.width, image.height, QImage::Format_RGB32);
     const float* pixel = image.rgb.data();
     for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x, pixel += 3) out.setPixel(x, y, transform.apply({pixel[0], pixel[1], pixel[2]}));
+        for (int x = 0; x < image.width; ++x, pixel += 3)
+            out.setPixel(x, y, transform.apply({pixel[0], pixel[1], pixel[2]}));
     return out;
 }
 
@@ -55,9 +59,14 @@ PreviewRenderer::~PreviewRenderer() {
 }
 
 void PreviewRenderer::request(PreviewJob job) {
-    if (pictures_.contains(job.key) || (running_ && running_->job.key == job.key && !running_->stop.load(std::memory_order_relaxed))) return;
-    std::erase_if(waiting_, [&](const PreviewJob& other) { return other.slot == job.slot || other.key == job.key; });
-    if (running_ && running_->job.slot == job.slot) running_->stop.store(true, std::memory_order_relaxed);
+    if (pictures_.contains(job.key) || (running_ && running_->job.key == job.key &&
+                                        !running_->stop.load(std::memory_order_relaxed)))
+        return;
+    std::erase_if(waiting_, [&](const PreviewJob& other) {
+        return other.slot == job.slot || other.key == job.key;
+    });
+    if (running_ && running_->job.slot == job.slot)
+        running_->stop.store(true, std::memory_order_relaxed);
     waiting_.push_back(std::move(job));
     if (!running_ && !held_) startNext();
 }
@@ -71,8 +80,10 @@ void PreviewRenderer::release() {
 void PreviewRenderer::startNext() {
     running_.reset();
     if (waiting_.empty()) return;
-    // Every place gets its draft, the newest first, before any gets its finished picture, the oldest first.
-    const auto draft = std::find_if(waiting_.rbegin(), waiting_.rend(), [](const PreviewJob& job) { return !job.drafted; });
+    // Every place gets its draft, the newest first, before any gets its finished picture, the
+    // oldest first.
+    const auto draft = std::find_if(waiting_.rbegin(), waiting_.rend(),
+                                    [](const PreviewJob& job) { return !job.drafted; });
     const auto next = draft == waiting_.rend() ? waiting_.begin() : std::prev(draft.base());
     running_ = std::make_shared<Running>();
     running_->job = std::move(*next);
@@ -111,9 +122,11 @@ void PreviewRenderer::work(const std::stop_token& end) {
         seen = wake_.load(std::memory_order_acquire);
         for (const std::shared_ptr<Running>& next : inbox_.takeAll()) {
             const PreviewJob& job = next->job;
-            const int spp = job.drafted ? job.scene.render.spp : std::min(kDraftSpp, job.scene.render.spp);
+            const int spp =
+                job.drafted ? job.scene.render.spp : std::min(kDraftSpp, job.scene.render.spp);
             const QImage picture = trace(job.scene, spp, job.assetFolder, assets, next->stop);
-            QMetaObject::invokeMethod(this, [this, next, picture] { finish(next, picture); }, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(
+                this, [this, next, picture] { finish(next, picture); }, Qt::QueuedConnection);
         }
     }
 }

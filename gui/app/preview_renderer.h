@@ -1,5 +1,6 @@
-// PreviewRenderer: traces small pictures in the background, one at a time, on one thread of low priority, and keeps them.
-// What is drawn, and under which key, is the caller's matter: see preview_scenes.h.
+// PreviewRenderer: traces small pictures in the background, one at a time, on one thread of low
+// priority, and keeps them. What is drawn, and under which key, is the caller's matter: see
+// preview_scenes.h.
 #pragma once
 
 #include <QHash>
@@ -17,7 +18,8 @@
 
 namespace glint {
 
-/// A picture to make. Equal keys mean equal pictures. A newer job for the same slot (one shown place) makes an older one void.
+/// A picture to make. Equal keys mean equal pictures. A newer job for the same slot (one shown
+/// place) makes an older one void.
 struct PreviewJob {
     QString key, slot;
     Scene scene;  ///< its film and spp are used as they are
@@ -38,7 +40,8 @@ class PreviewRenderer : public QObject {
     /// Makes the picture unless it is there or on its way.
     void request(PreviewJob job);
     [[nodiscard]] bool isIdle() const { return !running_; }
-    /// Nothing is begun until release(): at the start of the program the picture of the scene comes first.
+    /// Nothing is begun until release(): at the start of the program the picture of the scene comes
+    /// first.
     void hold() { held_ = true; }
     [[nodiscard]] bool isHeld() const { return held_; }
     void release();
@@ -53,7 +56,8 @@ class PreviewRenderer : public QObject {
     /// What both threads know of the job that runs.
     struct Running {
         PreviewJob job;
-        std::atomic<bool> stop{false};  ///< set by the GUI thread, read by the render; relaxed: nothing else hangs on it
+        std::atomic<bool> stop{false};  ///< set by the GUI thread, read by the render; relaxed:
+                                        ///< nothing else hangs on it
     };
     void startNext();
     void keep(const QString& key, const QImage& picture);
@@ -67,7 +71,8 @@ class PreviewRenderer : public QObject {
     bool held_ = false;
 
     Inbox<std::shared_ptr<Running>> inbox_;
-    std::atomic<int> wake_{0};  ///< raised with release after a push, awaited with acquire by work()
+    std::atomic<int> wake_{
+        0};  ///< raised with release after a push, awaited with acquire by work()
     std::jthread thread_;
 };
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kBallSpp = 96, kThumbnailSpp = 64;
 
-void addQuad(Scene& scene, const DVec3& at, const DVec3& turn, const DVec2& size, MaterialId material, const Color& emission = {}) {
+void addQuad(Scene& scene, const DVec3& at, const DVec3& turn, const DVec2& size,
+             MaterialId material, const Color& emission = {}) {
     Object quad;
     quad.name = "Quad " + std::to_string(scene.objects.size());
     quad.shape = Quad{size};
@@ -95,7 +96,8 @@ Scene materialPreview(const Scene& scene, MaterialId material, QSize size) {
     ball.material = MaterialCopy(scene, out)(material);
     ball.transform.translate = {0, 1, 0};
     bool textured = false;
-    out.materials.forEach([&](MaterialId, const Material& m) { textured = textured || usesTextures(m); });
+    out.materials.forEach(
+        [&](MaterialId, const Material& m) { textured = textured || usesTextures(m); });
     if (textured) out.textures = scene.textures;
     out.objects.add(ball);
     addStudio(out);
@@ -110,7 +112,9 @@ Scene materialPreview(const Scene& scene, MaterialId material, QSize size) {
 }
 
 Scene thumbnailOf(Scene scene, QSize size) {
-    const QSize fitted = QSize(scene.film.width, scene.film.height).scaled(size, Qt::KeepAspectRatio).expandedTo({1, 1});
+    const QSize fitted = QSize(scene.film.width, scene.film.height)
+                             .scaled(size, Qt::KeepAspectRatio)
+                             .expandedTo({1, 1});
     scene.film.width = fitted.width();
     scene.film.height = fitted.height();
     scene.render.spp = kThumbnailSpp;

@@ -15,7 +15,8 @@ QString newProblem(const Scene& before, const Scene& after) {
         if (std::find(old.begin(), old.end(), problem) != old.end()) continue;
         QString text = toQString(problem.message);
         if (!text.isEmpty()) text[0] = text[0].toUpper();
-        return problem.remedy.empty() ? text : text + QStringLiteral(": ") + toQString(problem.remedy);
+        return problem.remedy.empty() ? text
+                                      : text + QStringLiteral(": ") + toQString(problem.remedy);
     }
     return {};
 }

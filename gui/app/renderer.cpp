@@ -12,11 +12,14 @@ namespace {
 
 int workerCount() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
-DisplaySettings displaySettings(const Scene& scene) { return {scene.display.exposureEv, scene.display.view}; }
+DisplaySettings displaySettings(const Scene& scene) {
+    return {scene.display.exposureEv, scene.display.view};
+}
 
 }  // namespace
 
-Renderer::Renderer(const Document& document, QObject* parent) : QObject(parent), document_(document) {
+Renderer::Renderer(const Document& document, QObject* parent)
+    : QObject(parent), document_(document) {
     session_ = std::make_unique<Session>(workerCount(), [this] {
         if (!eventPending_.exchange(true, std::memory_order_acq_rel))
             QMetaObject::invokeMethod(this, &Renderer::takeFrame, Qt::QueuedConnection);
@@ -132,7 +135,8 @@ void Renderer::publishView() {
     view_.paused = paused_ || !shown_;
     view_.region.reset();
     if (region_) {
-        const QRectF r(region_->x() * view_.width, region_->y() * view_.height, region_->width() * view_.width, region_->height() * view_.height);
+        const QRectF r(region_->x() * view_.width, region_->y() * view_.height,
+                       region_->width() * view_.width, region_->height() * view_.height);
         const QRect pixels = r.toAlignedRect();
         view_.region = PixelRect{pixels.x(), pixels.y(), pixels.width(), pixels.height()};
     }

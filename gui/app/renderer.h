@@ -1,5 +1,5 @@
-// Renderer: the bridge between a document and its render session. Publishes what changed, and says on the GUI thread when a
-// newer frame is there. Nothing here waits.
+// Renderer: the bridge between a document and its render session. Publishes what changed, and says
+// on the GUI thread when a newer frame is there. Nothing here waits.
 #pragma once
 
 #include <QObject>
@@ -27,7 +27,8 @@ class Renderer : public QObject {
     [[nodiscard]] const SessionFrame* frame() const { return frame_; }
     [[nodiscard]] bool isPaused() const { return paused_; }
     [[nodiscard]] Channel channel() const { return view_.paint.channel; }
-    /// Whether frame() shows what was asked for last; false while edits are on their way to the screen.
+    /// Whether frame() shows what was asked for last; false while edits are on their way to the
+    /// screen.
     [[nodiscard]] bool isCurrent() const { return frame_ && frame_->revision == published_; }
     [[nodiscard]] bool isFiltered() const { return view_.paint.filtered; }
     /// As a part of the picture: 0 to 1 both ways.
@@ -48,10 +49,12 @@ class Renderer : public QObject {
     void setRegion(const std::optional<QRectF>& region);
     /// Renders without the other objects, unless empty. The document stays as it is.
     void setIsolated(std::vector<ObjectId> objects);
-    /// Shows this scene, from where the document is looked at, instead of the document's, until it is edited; nothing: the document.
+    /// Shows this scene, from where the document is looked at, instead of the document's, until it
+    /// is edited; nothing: the document.
     void setCompared(std::optional<Scene> scene);
     [[nodiscard]] bool isComparing() const { return compared_.has_value(); }
-    /// Tells the linear light of a pixel of the picture when the next frame comes. A new question takes the place of one not yet answered.
+    /// Tells the linear light of a pixel of the picture when the next frame comes. A new question
+    /// takes the place of one not yet answered.
     void probe(QPoint pixel, std::function<void(const Rgb& light)> answer);
     /// Out of sight nothing is rendered.
     void setShown(bool shown);
@@ -73,15 +76,17 @@ class Renderer : public QObject {
     const Document& document_;
     bool paused_ = false, shown_ = true;
     std::optional<QRectF> region_;
-    std::function<void(const Rgb&)> probeAnswer_;  ///< to the question in view_.paint.probe; null: there is none
+    std::function<void(const Rgb&)>
+        probeAnswer_;  ///< to the question in view_.paint.probe; null: there is none
     std::vector<ObjectId> isolated_;
     std::optional<Scene> compared_;
     ViewSettings view_;
     const SessionFrame* frame_ = nullptr;
-    std::uint64_t published_ = 0;  ///< revision of the scene that was published last
+    std::uint64_t published_ = 0;        ///< revision of the scene that was published last
     std::filesystem::path assetFolder_;  ///< as published
-    /// An event is on its way. Set by the session's thread, cleared on the GUI thread before it takes the frame; both
-    /// acquire and release, so that a frame whose event was spared is seen by that take.
+    /// An event is on its way. Set by the session's thread, cleared on the GUI thread before it
+    /// takes the frame; both acquire and release, so that a frame whose event was spared is seen by
+    /// that take.
     std::atomic<bool> eventPending_{false};
     std::unique_ptr<Session> session_;
 };

@@ -11,7 +11,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// share/glint beside bin, where `cmake --install` puts what the program needs.
-fs::path installedFolder() { return toPath(QCoreApplication::applicationDirPath()).parent_path() / "share" / "glint"; }
+fs::path installedFolder() {
+    return toPath(QCoreApplication::applicationDirPath()).parent_path() / "share" / "glint";
+}
 
 fs::path folderOf(const char* installed, const char* inSources) {
     std::error_code ignored;

@@ -1,4 +1,5 @@
-// Where the files that come with the program are: beside it after an install, else in the source tree.
+// Where the files that come with the program are: beside it after an install, else in the source
+// tree.
 #pragma once
 
 #include <filesystem>

@@ -4,8 +4,8 @@ namespace glint {
 
 namespace {
 
-/// `target`, but with the cameras of `current` wherever the step between `from` and `target` leaves them alone: undo must
-/// not throw the person's view back to where it was at the time of the edit.
+/// `target`, but with the cameras of `current` wherever the step between `from` and `target` leaves
+/// them alone: undo must not throw the person's view back to where it was at the time of the edit.
 Scene keepingView(Scene target, const Scene& from, const Scene& current) {
     if (target.camera == from.camera) target.camera = current.camera;
     for (const CameraId id : target.cameras.ids()) {
@@ -19,8 +19,13 @@ Scene keepingView(Scene target, const Scene& from, const Scene& current) {
 
 }  // namespace
 
-SceneCommand::SceneCommand(Document& document, Scene before, Scene after, const QString& text, const MergeKey& key)
-    : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)), key_(key) {}
+SceneCommand::SceneCommand(Document& document, Scene before, Scene after, const QString& text,
+                           const MergeKey& key)
+    : QUndoCommand(text),
+      document_(document),
+      before_(std::move(before)),
+      after_(std::move(after)),
+      key_(key) {}
 
 void SceneCommand::undo() {
     document_.beforePreview_.reset();

@@ -1,4 +1,5 @@
-// SceneCommand: the one undo command. It keeps the scene before and after; both share what the edit did not touch.
+// SceneCommand: the one undo command. It keeps the scene before and after; both share what the edit
+// did not touch.
 #pragma once
 
 #include <QUndoCommand>
@@ -9,7 +10,8 @@ namespace glint {
 
 class SceneCommand : public QUndoCommand {
   public:
-    SceneCommand(Document& document, Scene before, Scene after, const QString& text, const MergeKey& key);
+    SceneCommand(Document& document, Scene before, Scene after, const QString& text,
+                 const MergeKey& key);
 
     void undo() override;
     void redo() override;

@@ -14,7 +14,9 @@ namespace glint {
 
 namespace {
 
-QString cacheFolder() { return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/thumbnails"; }
+QString cacheFolder() {
+    return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/thumbnails";
+}
 QString cacheFile(const QString& key) { return cacheFolder() + '/' + key + ".png"; }
 
 struct Loaded {
@@ -41,20 +43,23 @@ SceneThumbnails::SceneThumbnails(PreviewRenderer& renderer, Memory memory, QObje
 }
 
 void SceneThumbnails::request(const std::filesystem::path& file, QSize size) {
-    QtConcurrent::run([file, size, memory = memory_] { return load(file, size, memory); })
-        .then(this, [this, file](const std::shared_ptr<const Loaded>& loaded) {
-            if (loaded) onLoaded(file, loaded->preview, loaded->key, loaded->stored);
-        });
+    QtConcurrent::run([file, size, memory = memory_] {
+        return load(file, size, memory);
+    }).then(this, [this, file](const std::shared_ptr<const Loaded>& loaded) {
+        if (loaded) onLoaded(file, loaded->preview, loaded->key, loaded->stored);
+    });
 }
 
-void SceneThumbnails::onLoaded(const std::filesystem::path& file, const Scene& preview, const QString& key, const QImage& stored) {
+void SceneThumbnails::onLoaded(const std::filesystem::path& file, const Scene& preview,
+                               const QString& key, const QImage& stored) {
     const QImage known = stored.isNull() ? renderer_.picture(key) : stored;
     if (!known.isNull()) {
         emit ready(file, known);
         return;
     }
     files_[key] = file;
-    renderer_.request({key, "scene " + key, preview, std::filesystem::absolute(file).parent_path()});
+    renderer_.request(
+        {key, "scene " + key, preview, std::filesystem::absolute(file).parent_path()});
 }
 
 void SceneThumbnails::onReady(const QString& key, const QImage& picture) {

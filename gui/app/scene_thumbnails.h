@@ -1,4 +1,5 @@
-// SceneThumbnails: small traced pictures of scene files, made in the background and kept on disk between runs.
+// SceneThumbnails: small traced pictures of scene files, made in the background and kept on disk
+// between runs.
 #pragma once
 
 #include <QImage>
@@ -21,14 +22,16 @@ class SceneThumbnails : public QObject {
     /// Memory::None keeps nothing on disk.
     SceneThumbnails(PreviewRenderer& renderer, Memory memory, QObject* parent = nullptr);
 
-    /// Asks for the picture of a scene file, to fit `size` device pixels; ready() brings it. Nothing comes of a broken file.
+    /// Asks for the picture of a scene file, to fit `size` device pixels; ready() brings it.
+    /// Nothing comes of a broken file.
     void request(const std::filesystem::path& file, QSize size);
 
   signals:
     void ready(const std::filesystem::path& file, const QImage& picture);
 
   private:
-    void onLoaded(const std::filesystem::path& file, const Scene& preview, const QString& key, const QImage& stored);
+    void onLoaded(const std::filesystem::path& file, const Scene& preview, const QString& key,
+                  const QImage& stored);
     void onReady(const QString& key, const QImage& picture);
 
     PreviewRenderer& renderer_;

@@ -7,11 +7,14 @@
 
 namespace glint {
 
-Selection::Selection(const Document& document, QObject* parent) : QObject(parent), document_(document) {
+Selection::Selection(const Document& document, QObject* parent)
+    : QObject(parent), document_(document) {
     connect(&document, &Document::changed, this, &Selection::follow);
 }
 
-bool Selection::contains(Item item) const { return std::find(items_.begin(), items_.end(), item) != items_.end(); }
+bool Selection::contains(Item item) const {
+    return std::find(items_.begin(), items_.end(), item) != items_.end();
+}
 
 std::vector<ObjectId> Selection::objects() const {
     std::vector<ObjectId> out;

@@ -1,5 +1,6 @@
-// Selection: which items of the document are chosen, shared by all views of a window. The last one chosen is the active one.
-// What an edit, undo or redo brings into the document is chosen, what it takes out no longer. In a new document nothing is.
+// Selection: which items of the document are chosen, shared by all views of a window. The last one
+// chosen is the active one. What an edit, undo or redo brings into the document is chosen, what it
+// takes out no longer. In a new document nothing is.
 #pragma once
 
 #include <QObject>

@@ -26,7 +26,8 @@ ShortcutPage::ShortcutPage(Actions& actions, QWidget* parent) : QWidget(parent),
         edit->setAccessibleName(name);
         edit->setToolTip(action->statusTip());
         edit->setClearButtonEnabled(true);
-        connect(edit, &QKeySequenceEdit::editingFinished, this, [this, action, edit] { change(action, edit); });
+        connect(edit, &QKeySequenceEdit::editingFinished, this,
+                [this, action, edit] { change(action, edit); });
         form->addRow(Actions::groupOf(action) + QStringLiteral(" › ") + name, edit);
     }
     auto* scroll = new QScrollArea(this);
@@ -38,7 +39,9 @@ ShortcutPage::ShortcutPage(Actions& actions, QWidget* parent) : QWidget(parent),
     auto* reset = new QPushButton(tr("Reset all keys"), this);
     connect(reset, &QPushButton::clicked, this, [this, table] {
         actions_.resetKeys();
-        for (QAction* action : actions_.all()) table->findChild<QKeySequenceEdit*>("keys." + action->objectName())->setKeySequence(action->shortcut());
+        for (QAction* action : actions_.all())
+            table->findChild<QKeySequenceEdit*>("keys." + action->objectName())
+                ->setKeySequence(action->shortcut());
     });
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 8, 0, 8);
@@ -51,7 +54,9 @@ void ShortcutPage::change(QAction* action, QKeySequenceEdit* edit) {
     const QKeySequence keys = edit->keySequence();
     if (keys == action->shortcut()) return;
     if (const QAction* other = actions_.userOf(keys); other && other != action) {
-        note_->setText(tr("%1 belongs to \"%2\" already.").arg(keys.toString(QKeySequence::NativeText), Actions::plainText(other)));
+        note_->setText(
+            tr("%1 belongs to \"%2\" already.")
+                .arg(keys.toString(QKeySequence::NativeText), Actions::plainText(other)));
         edit->setKeySequence(action->shortcut());
         return;
     }

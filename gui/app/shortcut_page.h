@@ -1,4 +1,5 @@
-// ShortcutPage: the keys of all commands, to be changed. A key that another command has is refused with its name.
+// ShortcutPage: the keys of all commands, to be changed. A key that another command has is refused
+// with its name.
 #pragma once
 
 #include <QWidget>

@@ -14,9 +14,11 @@ namespace {
 using Rows = std::vector<std::pair<QString, QString>>;
 
 QString table(const QString& title, const Rows& rows) {
-    QString out = QStringLiteral("<h3>%1</h3><table cellspacing='0' cellpadding='2'>").arg(title.toHtmlEscaped());
+    QString out = QStringLiteral("<h3>%1</h3><table cellspacing='0' cellpadding='2'>")
+                      .arg(title.toHtmlEscaped());
     for (const auto& [what, keys] : rows)
-        out += QStringLiteral("<tr><td width='300'>%1</td><td><b>%2</b></td></tr>").arg(what.toHtmlEscaped(), keys.toHtmlEscaped());
+        out += QStringLiteral("<tr><td width='300'>%1</td><td><b>%2</b></td></tr>")
+                   .arg(what.toHtmlEscaped(), keys.toHtmlEscaped());
     return out + QStringLiteral("</table>");
 }
 
@@ -34,14 +36,16 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent) : QDialog(
         {tr("Fly"), tr("Right button held: W A S D, Q E; wheel speed; Shift fast")},
         {tr("Turn the environment"), tr("Shift, then right drag")},
         {tr("Focus here"), tr("Ctrl + left click")},
-        {tr("While a handle is dragged"), tr("X Y Z lock, Ctrl snap, Shift fine, type a number, Esc cancels")},
+        {tr("While a handle is dragged"),
+         tr("X Y Z lock, Ctrl snap, Shift fine, type a number, Esc cancels")},
         {tr("Saved views"), tr("Ctrl+1…9 go, Ctrl+Shift+1…9 store")},
     };
     std::vector<QString> order;
     std::map<QString, Rows> groups;
     for (const QAction* action : actions.all()) {
         QStringList keys;
-        for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
+        for (const QKeySequence& key : action->shortcuts())
+            keys << key.toString(QKeySequence::NativeText);
         if (keys.isEmpty()) continue;
         const QString group = Actions::groupOf(action);
         if (!groups.contains(group)) order.push_back(group);

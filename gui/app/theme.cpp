@@ -15,15 +15,19 @@ struct Greys {
 
 Greys greysOf(Theme theme) {
     if (theme == Theme::Dark)
-        return {QColor(48, 48, 48), QColor(36, 36, 36), QColor(64, 64, 64), QColor(28, 28, 28), QColor(112, 112, 112),
-                QColor(222, 222, 222), QColor(128, 128, 128), QColor(70, 122, 188), QColor(255, 255, 255)};
-    return {QColor(226, 226, 226), QColor(246, 246, 246), QColor(238, 238, 238), QColor(178, 178, 178), QColor(140, 140, 140),
-            QColor(24, 24, 24), QColor(130, 130, 130), QColor(48, 108, 184), QColor(255, 255, 255)};
+        return {QColor(48, 48, 48),    QColor(36, 36, 36),    QColor(64, 64, 64),
+                QColor(28, 28, 28),    QColor(112, 112, 112), QColor(222, 222, 222),
+                QColor(128, 128, 128), QColor(70, 122, 188),  QColor(255, 255, 255)};
+    return {QColor(226, 226, 226), QColor(246, 246, 246), QColor(238, 238, 238),
+            QColor(178, 178, 178), QColor(140, 140, 140), QColor(24, 24, 24),
+            QColor(130, 130, 130), QColor(48, 108, 184),  QColor(255, 255, 255)};
 }
 
 QPalette paletteOf(const Greys& g) {
     QPalette p;
-    const auto set = [&](QPalette::ColorRole role, const QColor& color) { p.setColor(role, color); };
+    const auto set = [&](QPalette::ColorRole role, const QColor& color) {
+        p.setColor(role, color);
+    };
     set(QPalette::Window, g.window);
     set(QPalette::WindowText, g.text);
     set(QPalette::Base, g.base);
@@ -43,7 +47,8 @@ QPalette paletteOf(const Greys& g) {
     set(QPalette::Mid, g.line);
     set(QPalette::Dark, g.line);
     set(QPalette::Shadow, QColor(0, 0, 0));
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) p.setColor(QPalette::Disabled, role, g.dimmed);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        p.setColor(QPalette::Disabled, role, g.dimmed);
     p.setColor(QPalette::Disabled, QPalette::Highlight, g.dimmed);
     return p;
 }
@@ -93,8 +98,10 @@ void applyTheme(Theme theme) {
     QApplication::setStyle(QStyleFactory::create("Fusion"));
     QApplication::setPalette(paletteOf(greys));
     QString sheet = QString::fromLatin1(kSheet);
-    const std::pair<const char*, QColor> names[] = {{"@window", greys.window}, {"@base", greys.base}, {"@raised", greys.raised},
-                                                    {"@line", greys.line},     {"@edge", greys.edge}, {"@text", greys.text}, {"@accent", greys.accent}};
+    const std::pair<const char*, QColor> names[] = {
+        {"@window", greys.window}, {"@base", greys.base}, {"@raised", greys.raised},
+        {"@line", greys.line},     {"@edge", greys.edge}, {"@text", greys.text},
+        {"@accent", greys.accent}};
     for (const auto& [name, color] : names) sheet.replace(QLatin1String(name), color.name());
     qApp->setStyleSheet(sheet);
 }

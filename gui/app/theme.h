@@ -1,4 +1,5 @@
-// The window's colours: neutral greys that do not tint the eye's judgement of the picture, and one accent. Dark and light.
+// The window's colours: neutral greys that do not tint the eye's judgement of the picture, and one
+// accent. Dark and light.
 #pragma once
 
 #include <QString>

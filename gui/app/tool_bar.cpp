@@ -15,7 +15,8 @@ ToolBar::ToolBar(Document& document, RenderView& view, const Actions& actions, Q
     setMovable(false);
     const int side = fontMetrics().height() + 2;
     setIconSize({side, side});
-    for (const char* id : {"tool.select", "tool.move", "tool.rotate", "tool.scale"}) addAction(actions[id]);
+    for (const char* id : {"tool.select", "tool.move", "tool.rotate", "tool.scale"})
+        addAction(actions[id]);
     addSeparator();
     addToolOptions();
     addAction(actions["tool.snap"]);
@@ -53,20 +54,27 @@ void ToolBar::addToolOptions() {
 
 void ToolBar::addSceneFields() {
     const auto targets = std::make_shared<const std::vector<std::uint32_t>>(1, 0u);
-    const auto bind = [&](const auto& lens, const QString& path, std::string_view name, const FieldMeta& meta, auto initial) {
-        return FieldBinding<decltype(initial)>{&document_, lens, targets, path, labelOf(name), meta, initial};
+    const auto bind = [&](const auto& lens, const QString& path, std::string_view name,
+                          const FieldMeta& meta, auto initial) {
+        return FieldBinding<decltype(initial)>{&document_,    lens, targets, path,
+                                               labelOf(name), meta, initial};
     };
     const auto add = [&](const FieldEditor& editor, const QString& tip) {
         editor.widget->setToolTip(tip);
         editor.widget->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
         addWidget(editor.widget);
-        connect(&document_, &Document::changed, editor.widget, [this, editor] { editor.refresh(document_.scene()); });
+        connect(&document_, &Document::changed, editor.widget,
+                [this, editor] { editor.refresh(document_.scene()); });
         editor.refresh(document_.scene());
     };
     const auto integrator = memberOf(partOf(&Scene::render), &RenderSettings::integrator);
-    add(makeEditor(bind(integrator, "toolBar.integrator", "integrator", {}, Integrator::Path), this), tr("How light is traced"));
+    add(makeEditor(bind(integrator, "toolBar.integrator", "integrator", {}, Integrator::Path),
+                   this),
+        tr("How light is traced"));
     const auto exposure = memberOf(partOf(&Scene::display), &Display::exposureEv);
-    add(makeEditor(bind(exposure, "toolBar.exposure", "exposure_ev", {.min = -100, .max = 100, .unit = "EV"}, 0.0), this),
+    add(makeEditor(bind(exposure, "toolBar.exposure", "exposure_ev",
+                        {.min = -100, .max = 100, .unit = "EV"}, 0.0),
+                   this),
         tr("Exposure: each step doubles the brightness ([ and ])"));
 }
 

@@ -9,7 +9,8 @@ Camera cameraOf(const Turntable& turntable, Camera camera, int frame) {
     DVec3 axis(0.0);
     axis[turntable.axis] = 1;
     const auto turned = [&](const DVec3& v) {
-        return v * std::cos(angle) + glm::cross(axis, v) * std::sin(angle) + axis * glm::dot(axis, v) * (1 - std::cos(angle));
+        return v * std::cos(angle) + glm::cross(axis, v) * std::sin(angle) +
+               axis * glm::dot(axis, v) * (1 - std::cos(angle));
     };
     if (frame == 0) return camera;
     camera.position = camera.target + turned(camera.position - camera.target);

@@ -12,11 +12,14 @@
 
 namespace glint {
 
-EnvironmentDials::EnvironmentDials(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
+EnvironmentDials::EnvironmentDials(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document) {
     rotation_ = new AngleDial(this);
     rotation_->setObjectName("environment.dial");
     rotation_->setAccessibleName(tr("Turn of the environment"));
-    rotation_->setToolTip(tr("Drag to turn the environment, Shift for fine steps.\nIn the picture: Shift, then drag with the right button"));
+    rotation_->setToolTip(
+        tr("Drag to turn the environment, Shift for fine steps.\nIn the picture: Shift, then drag "
+           "with the right button"));
     rotationText_ = new QLabel(this);
     rotationText_->setAlignment(Qt::AlignCenter);
     auto* turnColumn = new QVBoxLayout;
@@ -33,7 +36,8 @@ EnvironmentDials::EnvironmentDials(Document& document, QWidget* parent) : QWidge
     row->addStretch();
     connect(rotation_, &AngleDial::previewed, this, [this](double v) { turn(v, false); });
     connect(rotation_, &AngleDial::edited, this, [this](double v) { turn(v, true); });
-    for (Dial* dial : std::initializer_list<Dial*>{rotation_, sun_}) connect(dial, &Dial::canceled, this, [this] { document_.cancelPreview(); });
+    for (Dial* dial : std::initializer_list<Dial*>{rotation_, sun_})
+        connect(dial, &Dial::canceled, this, [this] { document_.cancelPreview(); });
     connect(&document, &Document::changed, this, &EnvironmentDials::showScene);
     showScene();
 }
@@ -44,7 +48,8 @@ void EnvironmentDials::buildSun() {
     sun_->setObjectName("environment.sun");
     sun_->setAccessibleName(tr("Place of the sun"));
     sun_->setToolTip(tr("Drag the sun: the middle is overhead, the rim is the horizon"));
-    const auto number = [this](const QString& name, const QString& label, const QString& tip, double min, double max) {
+    const auto number = [this](const QString& name, const QString& label, const QString& tip,
+                               double min, double max) {
         auto* field = new DragNumber(sunBox_);
         field->setObjectName(name);
         field->setAccessibleName(label);
@@ -53,8 +58,10 @@ void EnvironmentDials::buildSun() {
         field->setRange({.min = min, .max = max});
         return field;
     };
-    azimuth_ = number("environment.azimuth", tr("Azimuth"), tr("Direction of the sun, clockwise from −z seen from above"), -3600, 3600);
-    elevation_ = number("environment.elevation", tr("Elevation"), tr("Height of the sun above the horizon"), -90, 90);
+    azimuth_ = number("environment.azimuth", tr("Azimuth"),
+                      tr("Direction of the sun, clockwise from −z seen from above"), -3600, 3600);
+    elevation_ = number("environment.elevation", tr("Elevation"),
+                        tr("Height of the sun above the horizon"), -90, 90);
     auto* form = new QFormLayout;
     form->setVerticalSpacing(4);
     form->addRow(azimuth_->accessibleName(), azimuth_);
@@ -74,8 +81,10 @@ void EnvironmentDials::buildSun() {
             (isAzimuth ? angles.azimuth : angles.elevation) = v;
             return angles;
         };
-        connect(field, &DragNumber::previewed, this, [this, with](double v) { placeSun(with(v), false); });
-        connect(field, &DragNumber::edited, this, [this, with](double v) { placeSun(with(v), true); });
+        connect(field, &DragNumber::previewed, this,
+                [this, with](double v) { placeSun(with(v), false); });
+        connect(field, &DragNumber::edited, this,
+                [this, with](double v) { placeSun(with(v), true); });
         connect(field, &DragNumber::canceled, this, [this] { document_.cancelPreview(); });
     }
 }
@@ -95,16 +104,20 @@ void EnvironmentDials::showScene() {
 void EnvironmentDials::turn(double degrees, bool done) {
     Scene scene = document_.committed();
     scene.environment.rotationDegrees = degrees;
-    if (done) document_.edit(std::move(scene), tr("Turn environment"));
-    else document_.preview(std::move(scene));
+    if (done)
+        document_.edit(std::move(scene), tr("Turn environment"));
+    else
+        document_.preview(std::move(scene));
 }
 
 void EnvironmentDials::placeSun(const SunAngles& angles, bool done) {
     Scene scene = document_.committed();
     if (!scene.environment.sky) return;
     scene.environment.sky->sunDirection = sunDirection(angles);
-    if (done) document_.edit(std::move(scene), tr("Move sun"));
-    else document_.preview(std::move(scene));
+    if (done)
+        document_.edit(std::move(scene), tr("Move sun"));
+    else
+        document_.preview(std::move(scene));
 }
 
 }  // namespace glint

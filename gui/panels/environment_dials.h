@@ -1,4 +1,5 @@
-// EnvironmentDials: turns the environment and places the sun of a computed sky by dragging, above the form with the numbers.
+// EnvironmentDials: turns the environment and places the sun of a computed sky by dragging, above
+// the form with the numbers.
 #pragma once
 
 #include <QWidget>

@@ -31,15 +31,20 @@ QPixmap placeholder(const QString& name, const QColor& background) {
     QPixmap pixmap(kThumbnail);
     pixmap.fill(background);
     QPainter painter(&pixmap);
-    drawIcon(painter, name, QRectF(kThumbnail.width() / 2 - 8, kThumbnail.height() / 2 - 8, 16, 16), QColor(150, 150, 150));
+    drawIcon(painter, name, QRectF(kThumbnail.width() / 2 - 8, kThumbnail.height() / 2 - 8, 16, 16),
+             QColor(150, 150, 150));
     return pixmap;
 }
 
-void buildForm(FormBuilder& form) { form.addStruct(EnvironmentPicker::tr("Environment"), "environment", partOf(&Scene::environment)); }
+void buildForm(FormBuilder& form) {
+    form.addStruct(EnvironmentPicker::tr("Environment"), "environment",
+                   partOf(&Scene::environment));
+}
 
 }  // namespace
 
-EnvironmentPicker::EnvironmentPicker(Document& document, const std::filesystem::path& folder, QWidget* parent)
+EnvironmentPicker::EnvironmentPicker(Document& document, const std::filesystem::path& folder,
+                                     QWidget* parent)
     : QWidget(parent), document_(document) {
     buildThumbnails();
     for (const auto& file : environmentFiles(folder)) addThumbnail(file);
@@ -47,7 +52,9 @@ EnvironmentPicker::EnvironmentPicker(Document& document, const std::filesystem::
     auto* browseButton = new QPushButton(icon("open"), tr("Open picture…"), this);
     browseButton->setToolTip(tr("Any latitude-longitude picture: EXR, HDR, PNG, JPEG, TIFF"));
     connect(browseButton, &QPushButton::clicked, this, &EnvironmentPicker::browse);
-    auto* form = new FormPanel(document, buildForm, [](const Scene& s) { return QString::number(s.environment.sky.has_value()); }, this);
+    auto* form = new FormPanel(
+        document, buildForm,
+        [](const Scene& s) { return QString::number(s.environment.sky.has_value()); }, this);
     form->setAccessibleName(tr("Environment settings"));
 
     auto* layout = new QVBoxLayout(this);
@@ -73,23 +80,29 @@ void EnvironmentPicker::buildThumbnails() {
     thumbnails_->setAccessibleName(tr("Environment pictures"));
     thumbnails_->setMinimumHeight(kThumbnail.height() + fontMetrics().height() * 2);
     thumbnails_->setMaximumHeight((kThumbnail.height() + fontMetrics().height() * 2) * 2);
-    auto* none = new QListWidgetItem(QIcon(placeholder("close", QColor(20, 20, 20))), tr("None"), thumbnails_);
+    auto* none = new QListWidgetItem(QIcon(placeholder("close", QColor(20, 20, 20))), tr("None"),
+                                     thumbnails_);
     none->setData(kPathRole, QString());
     none->setToolTip(tr("No picture: the colour below alone"));
-    auto* sky = new QListWidgetItem(QIcon(placeholder("light-sun", QColor(70, 110, 165))), tr("Computed sky"), thumbnails_);
+    auto* sky = new QListWidgetItem(QIcon(placeholder("light-sun", QColor(70, 110, 165))),
+                                    tr("Computed sky"), thumbnails_);
     sky->setData(kPathRole, kSkyPath);
     sky->setToolTip(tr("Sky and sun, computed from the place of the sun"));
     connect(thumbnails_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
         const QString path = item->data(kPathRole).toString();
-        if (path.isEmpty()) chooseNone();
-        else if (path == kSkyPath) chooseSky();
-        else choose(toPath(path));
+        if (path.isEmpty())
+            chooseNone();
+        else if (path == kSkyPath)
+            chooseSky();
+        else
+            choose(toPath(path));
     });
     connect(thumbnails_, &QListWidget::itemClicked, thumbnails_, &QListWidget::itemActivated);
 }
 
 void EnvironmentPicker::addThumbnail(const std::filesystem::path& image) {
-    auto* item = new QListWidgetItem(QIcon(placeholder("image", QColor(50, 50, 50))), pathText(image.stem()), thumbnails_);
+    auto* item = new QListWidgetItem(QIcon(placeholder("image", QColor(50, 50, 50))),
+                                     pathText(image.stem()), thumbnails_);
     item->setData(kPathRole, pathText(image));
     item->setToolTip(pathText(image));
     update();
@@ -101,10 +114,12 @@ void EnvironmentPicker::requestThumbnails() {
         if (item->data(kRequestedRole).toBool()) continue;
         item->setData(kRequestedRole, true);
         const auto image = toPath(item->data(kPathRole).toString());
-        requestThumbnail(image, kThumbnail * devicePixelRatioF(), this, [this, image](const QImage& thumbnail) {
-            QListWidgetItem* shown = itemFor(image);
-            if (shown && !thumbnail.isNull()) shown->setIcon(QIcon(QPixmap::fromImage(thumbnail)));
-        });
+        requestThumbnail(image, kThumbnail * devicePixelRatioF(), this,
+                         [this, image](const QImage& thumbnail) {
+                             QListWidgetItem* shown = itemFor(image);
+                             if (shown && !thumbnail.isNull())
+                                 shown->setIcon(QIcon(QPixmap::fromImage(thumbnail)));
+                         });
     }
 }
 
@@ -117,7 +132,8 @@ QListWidgetItem* EnvironmentPicker::itemFor(const std::filesystem::path& image) 
     std::error_code error;
     for (int i = kFirstPicture; i < thumbnails_->count(); ++i) {
         const auto path = toPath(thumbnails_->item(i)->data(kPathRole).toString());
-        if (path == image || std::filesystem::equivalent(path, image, error)) return thumbnails_->item(i);
+        if (path == image || std::filesystem::equivalent(path, image, error))
+            return thumbnails_->item(i);
     }
     return nullptr;
 }
@@ -148,13 +164,15 @@ void EnvironmentPicker::browse() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilter(tr("Pictures (*.exr *.hdr *.png *.jpg *.jpeg *.tif *.tiff)"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { choose(toPath(file)); });
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this](const QString& file) { choose(toPath(file)); });
     dialog->open();
 }
 
 void EnvironmentPicker::showCurrent() {
     const std::string& image = document_.scene().environment.image;
-    const std::filesystem::path path = image.empty() ? std::filesystem::path() : document_.assetFolder() / image;
+    const std::filesystem::path path =
+        image.empty() ? std::filesystem::path() : document_.assetFolder() / image;
     if (!image.empty() && !itemFor(path) && std::filesystem::exists(path)) addThumbnail(path);
     const int plainRow = document_.scene().environment.sky ? kSkyRow : kNoneRow;
     QListWidgetItem* current = image.empty() ? thumbnails_->item(plainRow) : itemFor(path);

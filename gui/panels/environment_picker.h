@@ -1,5 +1,5 @@
-// EnvironmentPicker: thumbnails of the environments that come with the program and any other picture, and the environment's
-// settings below.
+// EnvironmentPicker: thumbnails of the environments that come with the program and any other
+// picture, and the environment's settings below.
 #pragma once
 
 #include <QWidget>
@@ -17,7 +17,8 @@ class EnvironmentPicker : public QWidget {
 
   public:
     /// `folder` holds the environments that come with the program.
-    EnvironmentPicker(Document& document, const std::filesystem::path& folder, QWidget* parent = nullptr);
+    EnvironmentPicker(Document& document, const std::filesystem::path& folder,
+                      QWidget* parent = nullptr);
 
     /// Makes a picture file the environment.
     void choose(const std::filesystem::path& image);
@@ -32,8 +33,9 @@ class EnvironmentPicker : public QWidget {
   private:
     void buildThumbnails();
     void addThumbnail(const std::filesystem::path& image);
-    /// Has the pictures read whose thumbnails nobody has asked for yet: only when the panel is seen, since a large one takes tenths
-    /// of a second of a processor. (A tab that is not the current one is shown too, for a moment, but never painted.)
+    /// Has the pictures read whose thumbnails nobody has asked for yet: only when the panel is
+    /// seen, since a large one takes tenths of a second of a processor. (A tab that is not the
+    /// current one is shown too, for a moment, but never painted.)
     void requestThumbnails();
     void chooseSky();
     void showCurrent();

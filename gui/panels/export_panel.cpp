@@ -33,19 +33,28 @@ QString progressText(const ExportProgress& p) {
     QStringList parts;
     if (p.frames > 1) parts << Text::tr("frame %1 of %2").arg(p.frame + 1).arg(p.frames);
     if (p.spp > 0) parts << Text::tr("%1 spp").arg(p.spp);
-    if (p.error < kInfinity) parts << Text::tr("± %1 %").arg(QString::number(100 * p.error, 'g', 2));
+    if (p.error < kInfinity)
+        parts << Text::tr("± %1 %").arg(QString::number(100 * p.error, 'g', 2));
     if (p.remainingSeconds > 1) parts << Text::tr("%1 left").arg(duration(p.remainingSeconds));
     return parts.join(QStringLiteral(" · "));
 }
 
 QString stateText(const ExportQueue::Entry& entry) {
     switch (entry.state) {
-        case ExportQueue::State::Waiting: return Text::tr("waiting");
-        case ExportQueue::State::Running: return entry.progress.spp > 0 ? progressText(entry.progress) : Text::tr("starting");
-        case ExportQueue::State::Paused: return Text::tr("paused") + (entry.progress.spp > 0 ? QStringLiteral(" · ") + progressText(entry.progress) : QString());
-        case ExportQueue::State::Done: return Text::tr("done");
-        case ExportQueue::State::Canceled: return Text::tr("canceled");
-        case ExportQueue::State::Failed: return entry.error;
+        case ExportQueue::State::Waiting:
+            return Text::tr("waiting");
+        case ExportQueue::State::Running:
+            return entry.progress.spp > 0 ? progressText(entry.progress) : Text::tr("starting");
+        case ExportQueue::State::Paused:
+            return Text::tr("paused") + (entry.progress.spp > 0
+                                             ? QStringLiteral(" · ") + progressText(entry.progress)
+                                             : QString());
+        case ExportQueue::State::Done:
+            return Text::tr("done");
+        case ExportQueue::State::Canceled:
+            return Text::tr("canceled");
+        case ExportQueue::State::Failed:
+            return entry.error;
     }
     return {};
 }
@@ -83,7 +92,9 @@ ExportPanel::ExportPanel(ExportQueue& queue, QWidget* parent) : QScrollArea(pare
     refresh();
 }
 
-QSize ExportPanel::sizeHint() const { return {fontMetrics().averageCharWidth() * 50, fontMetrics().height() * 8}; }
+QSize ExportPanel::sizeHint() const {
+    return {fontMetrics().averageCharWidth() * 50, fontMetrics().height() * 8};
+}
 
 ExportPanel::Row ExportPanel::makeRow(int id) {
     Row row{};
@@ -100,7 +111,8 @@ ExportPanel::Row ExportPanel::makeRow(int id) {
     row.pause->setCheckable(true);
     row.cancel = button(row.widget, "close", tr("Cancel"));
     row.cancel->setObjectName(QStringLiteral("exports.cancel.%1").arg(id));
-    connect(row.pause, &QToolButton::clicked, this, [this, id](bool on) { queue_.setPaused(id, on); });
+    connect(row.pause, &QToolButton::clicked, this,
+            [this, id](bool on) { queue_.setPaused(id, on); });
     connect(row.cancel, &QToolButton::clicked, this, [this, id] { queue_.cancel(id); });
     auto* top = new QHBoxLayout;
     top->addWidget(row.name, 1);
@@ -118,7 +130,8 @@ ExportPanel::Row ExportPanel::makeRow(int id) {
 void ExportPanel::refresh() {
     const auto entries = queue_.entries();
     std::erase_if(rows_, [&](const auto& item) {
-        const bool gone = std::none_of(entries.begin(), entries.end(), [&](const auto& entry) { return entry.id == item.first; });
+        const bool gone = std::none_of(entries.begin(), entries.end(),
+                                       [&](const auto& entry) { return entry.id == item.first; });
         // Later: the click on its own button may have led here.
         if (gone) item.second.widget->hide(), item.second.widget->deleteLater();
         return gone;
@@ -136,10 +149,12 @@ void ExportPanel::refresh() {
         const bool paused = entry.state == ExportQueue::State::Paused;
         row.pause->setChecked(paused);
         row.pause->setIcon(icon(paused ? "play" : "pause"));
-        for (QToolButton* control : {row.pause, row.cancel}) control->setEnabled(!hasEnded(entry.state));
+        for (QToolButton* control : {row.pause, row.cancel})
+            control->setEnabled(!hasEnded(entry.state));
     }
     empty_->setVisible(entries.empty());
-    clear_->setVisible(std::any_of(entries.begin(), entries.end(), [](const auto& entry) { return hasEnded(entry.state); }));
+    clear_->setVisible(std::any_of(entries.begin(), entries.end(),
+                                   [](const auto& entry) { return hasEnded(entry.state); }));
 }
 
 void ExportPanel::showProgress(int id, const ExportProgress& progress) {

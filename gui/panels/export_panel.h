@@ -1,4 +1,5 @@
-// ExportPanel: the export queue as a list: progress, time that remains and error figure of each, with pause and cancel.
+// ExportPanel: the export queue as a list: progress, time that remains and error figure of each,
+// with pause and cancel.
 #pragma once
 
 #include <QScrollArea>

@@ -1,5 +1,5 @@
-// FieldBinding<T>: one row of a property panel: a lens, the targets it applies to, and how the field is named and explained.
-// Editors read with common() and write with preview() and edit().
+// FieldBinding<T>: one row of a property panel: a lens, the targets it applies to, and how the
+// field is named and explained. Editors read with common() and write with preview() and edit().
 #pragma once
 
 #include <QCoreApplication>
@@ -29,21 +29,24 @@ struct FieldBinding {
     QString path;   ///< "object.shape.radius": object name of the editor, merge key of its steps
     QString label;  ///< as a person reads it
     FieldMeta meta;
-    T initial{};    ///< what "reset to default" sets
+    T initial{};  ///< what "reset to default" sets
 
     [[nodiscard]] Common<T> common(const Scene& scene) const {
         Common<T> out;
         for (const std::uint32_t target : *targets) {
             const T* value = lens.get(scene, target);
             if (!value) continue;
-            if (!out.value) out.value = value;
-            else if (!(*value == *out.value)) out.mixed = true;
+            if (!out.value)
+                out.value = value;
+            else if (!(*value == *out.value))
+                out.mixed = true;
             if (out.mixed) break;
         }
         return out;
     }
 
-    /// Sets `value` for all targets in a copy of the committed scene; the reason if that makes it unsound.
+    /// Sets `value` for all targets in a copy of the committed scene; the reason if that makes it
+    /// unsound.
     [[nodiscard]] QString apply(Scene& scene, const T& value) const {
         for (const std::uint32_t target : *targets) {
             if (!lens.get(scene, target)) continue;
@@ -55,8 +58,12 @@ struct FieldBinding {
     QString edit(const T& value) const {
         Scene scene = document->committed();
         QString reason = apply(scene, value);
-        if (reason.isEmpty()) document->edit(std::move(scene), QCoreApplication::translate("FieldBinding", "Change %1").arg(label.toLower()));
-        else document->cancelPreview();
+        if (reason.isEmpty())
+            document->edit(
+                std::move(scene),
+                QCoreApplication::translate("FieldBinding", "Change %1").arg(label.toLower()));
+        else
+            document->cancelPreview();
         return reason;
     }
 
@@ -69,8 +76,10 @@ struct FieldBinding {
 
     /// The same row for a part of the value.
     template <class Part>
-    [[nodiscard]] FieldBinding<Part> part(Lens<Part> partLens, const QString& suffix, Part partInitial) const {
-        return {document, std::move(partLens), targets, path + suffix, label, meta, std::move(partInitial)};
+    [[nodiscard]] FieldBinding<Part> part(Lens<Part> partLens, const QString& suffix,
+                                          Part partInitial) const {
+        return {document, std::move(partLens),   targets, path + suffix, label,
+                meta,     std::move(partInitial)};
     }
 };
 

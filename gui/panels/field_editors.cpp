@@ -17,7 +17,9 @@ namespace glint {
 
 namespace {
 
-NumberRange rangeOf(const FieldMeta& meta, bool integer) { return {meta.min, meta.max, meta.exclusiveMin, integer}; }
+NumberRange rangeOf(const FieldMeta& meta, bool integer) {
+    return {meta.min, meta.max, meta.exclusiveMin, integer};
+}
 
 /// A DragNumber bound to a double or an int.
 template <class Number>
@@ -27,22 +29,28 @@ FieldEditor makeNumber(const FieldBinding<Number>& binding, QWidget* parent) {
     number->setUnit(toQString(binding.meta.unit));
     number->setObjectName(binding.path);
     number->setAccessibleName(binding.label);
-    QObject::connect(number, &DragNumber::previewed, number, [binding](double v) { binding.preview(static_cast<Number>(v)); });
+    QObject::connect(number, &DragNumber::previewed, number,
+                     [binding](double v) { binding.preview(static_cast<Number>(v)); });
     QObject::connect(number, &DragNumber::edited, number, [binding, number](double v) {
-        if (const QString reason = binding.edit(static_cast<Number>(v)); !reason.isEmpty()) number->refuse(reason);
+        if (const QString reason = binding.edit(static_cast<Number>(v)); !reason.isEmpty())
+            number->refuse(reason);
     });
-    QObject::connect(number, &DragNumber::canceled, number, [binding] { binding.document->cancelPreview(); });
+    QObject::connect(number, &DragNumber::canceled, number,
+                     [binding] { binding.document->cancelPreview(); });
     return {number, [binding, number](const Scene& scene) {
                 const auto common = binding.common(scene);
                 number->setEnabled(common.value != nullptr);
-                if (common.mixed || !common.value) number->setMixed();
-                else number->setValue(static_cast<double>(*common.value));
+                if (common.mixed || !common.value)
+                    number->setMixed();
+                else
+                    number->setValue(static_cast<double>(*common.value));
             }};
 }
 
 /// Several numbers side by side, `columns` in a row.
 template <class Vector>
-FieldEditor makeNumbers(const FieldBinding<Vector>& binding, std::size_t count, int columns, QWidget* parent) {
+FieldEditor makeNumbers(const FieldBinding<Vector>& binding, std::size_t count, int columns,
+                        QWidget* parent) {
     auto* box = new QWidget(parent);
     auto* grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -50,7 +58,8 @@ FieldEditor makeNumbers(const FieldBinding<Vector>& binding, std::size_t count, 
     std::vector<std::function<void(const Scene&)>> refreshes;
     for (std::size_t i = 0; i < count; ++i) {
         auto part = binding.part(componentOf(binding.lens, i), QStringLiteral(".%1").arg(i), 0.0);
-        // A unit behind each of three narrow numbers would crowd them out: the label's tool tip tells it.
+        // A unit behind each of three narrow numbers would crowd them out: the label's tool tip
+        // tells it.
         part.meta.unit = binding.meta.unit == "deg" ? "deg" : "";
         const FieldEditor editor = makeNumber(part, box);
         const auto index = static_cast<int>(i);
@@ -64,11 +73,19 @@ FieldEditor makeNumbers(const FieldBinding<Vector>& binding, std::size_t count, 
 
 }  // namespace
 
-FieldEditor makeEditor(const FieldBinding<double>& binding, QWidget* parent) { return makeNumber(binding, parent); }
-FieldEditor makeEditor(const FieldBinding<int>& binding, QWidget* parent) { return makeNumber(binding, parent); }
+FieldEditor makeEditor(const FieldBinding<double>& binding, QWidget* parent) {
+    return makeNumber(binding, parent);
+}
+FieldEditor makeEditor(const FieldBinding<int>& binding, QWidget* parent) {
+    return makeNumber(binding, parent);
+}
 
-FieldEditor makeEditor(const FieldBinding<DVec2>& binding, QWidget* parent) { return makeNumbers(binding, 2, 3, parent); }
-FieldEditor makeEditor(const FieldBinding<DVec3>& binding, QWidget* parent) { return makeNumbers(binding, 3, 3, parent); }
+FieldEditor makeEditor(const FieldBinding<DVec2>& binding, QWidget* parent) {
+    return makeNumbers(binding, 2, 3, parent);
+}
+FieldEditor makeEditor(const FieldBinding<DVec3>& binding, QWidget* parent) {
+    return makeNumbers(binding, 3, 3, parent);
+}
 FieldEditor makeEditor(const FieldBinding<std::array<double, 12>>& binding, QWidget* parent) {
     return makeNumbers(binding, 12, 4, parent);
 }
@@ -84,9 +101,9 @@ FieldEditor makeEditor(const FieldBinding<bool>& binding, QWidget* parent) {
                 const auto common = binding.common(scene);
                 box->setEnabled(common.value != nullptr);
                 box->setTristate(common.mixed);
-                box->setCheckState(common.mixed                        ? Qt::PartiallyChecked
+                box->setCheckState(common.mixed                    ? Qt::PartiallyChecked
                                    : common.value && *common.value ? Qt::Checked
-                                                                       : Qt::Unchecked);
+                                                                   : Qt::Unchecked);
                 // A click on a mixed box must choose, not cycle back to "mixed".
                 box->setTristate(false);
             }};
@@ -120,16 +137,20 @@ FieldEditor makeEditor(const FieldBinding<Color>& binding, QWidget* parent) {
     button->setRange(binding.meta.min, binding.meta.max);
     button->setObjectName(binding.path);
     button->setAccessibleName(binding.label);
-    QObject::connect(button, &ColorButton::previewed, button, [binding](const Color& c) { binding.preview(c); });
+    QObject::connect(button, &ColorButton::previewed, button,
+                     [binding](const Color& c) { binding.preview(c); });
     QObject::connect(button, &ColorButton::edited, button, [binding, button](const Color& c) {
         if (const QString reason = binding.edit(c); !reason.isEmpty()) button->refuse(reason);
     });
-    QObject::connect(button, &ColorButton::canceled, button, [binding] { binding.document->cancelPreview(); });
+    QObject::connect(button, &ColorButton::canceled, button,
+                     [binding] { binding.document->cancelPreview(); });
     return {button, [binding, button](const Scene& scene) {
                 const auto common = binding.common(scene);
                 button->setEnabled(common.value != nullptr);
-                if (common.mixed || !common.value) button->setMixed();
-                else button->setValue(*common.value);
+                if (common.mixed || !common.value)
+                    button->setMixed();
+                else
+                    button->setValue(*common.value);
             }};
 }
 
@@ -154,15 +175,17 @@ FieldEditor makeEditor(const FieldBinding<std::vector<Color>>& binding, QWidget*
             auto* button = new ColorButton(box);
             button->setRange(binding.meta.min, binding.meta.max);
             button->setObjectName(binding.path + QStringLiteral(".%1").arg(i));
-            QObject::connect(button, &ColorButton::edited, button, [binding, current, i](const Color& c) {
-                auto colors = current();
-                if (i < colors.size()) colors[i] = c;
-                binding.edit(colors);
-            });
+            QObject::connect(button, &ColorButton::edited, button,
+                             [binding, current, i](const Color& c) {
+                                 auto colors = current();
+                                 if (i < colors.size()) colors[i] = c;
+                                 binding.edit(colors);
+                             });
             row->addWidget(button);
         }
         for (std::size_t i = 0; i < count; ++i)
-            static_cast<ColorButton*>(row->itemAt(static_cast<int>(i))->widget())->setValue((*common.value)[i]);
+            static_cast<ColorButton*>(row->itemAt(static_cast<int>(i))->widget())
+                ->setValue((*common.value)[i]);
     };
     auto* whole = new QWidget(parent);
     auto* layout = new QHBoxLayout(whole);
@@ -181,14 +204,19 @@ FieldEditor makeEditor(const FieldBinding<std::vector<Color>>& binding, QWidget*
         layout->addWidget(button);
     };
     addButton("add", QCoreApplication::translate("FieldEditor", "Add a colour"),
-              [](std::vector<Color>& c) { c.push_back(c.empty() ? Color{1, 1, 1} : c.back()); });
+              [](std::vector<Color>& c) {
+                  c.push_back(c.empty() ? Color{1, 1, 1} : c.back());
+              });
     addButton("remove", QCoreApplication::translate("FieldEditor", "Remove the last colour"),
-              [](std::vector<Color>& c) { if (!c.empty()) c.pop_back(); });
+              [](std::vector<Color>& c) {
+                  if (!c.empty()) c.pop_back();
+              });
     return {whole, rebuild};
 }
 
-FieldEditor makeChoiceEditor(std::function<std::vector<Choice>(const Scene&)> choices, std::function<bool(const Scene&)> mixed,
-                             const QString& path, QWidget* parent) {
+FieldEditor makeChoiceEditor(std::function<std::vector<Choice>(const Scene&)> choices,
+                             std::function<bool(const Scene&)> mixed, const QString& path,
+                             QWidget* parent) {
     auto* combo = new QComboBox(parent);
     combo->setObjectName(path);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

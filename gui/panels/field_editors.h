@@ -1,6 +1,6 @@
-// Editors for one field each, by the field's type: numbers, colours, switches, texts, choices. makeEditor() gives a widget and
-// how to show the scene's value in it; the widget writes through the binding. Start at FormBuilder (form_builder.h), which
-// chooses among them.
+// Editors for one field each, by the field's type: numbers, colours, switches, texts, choices.
+// makeEditor() gives a widget and how to show the scene's value in it; the widget writes through
+// the binding. Start at FormBuilder (form_builder.h), which chooses among them.
 #pragma once
 
 #include <QWidget>
@@ -44,12 +44,13 @@ struct Choice {
     std::function<QString()> choose;  ///< the reason if refused
 };
 /// `choices` is asked again after each change, as names come and go.
-FieldEditor makeChoiceEditor(std::function<std::vector<Choice>(const Scene&)> choices, std::function<bool(const Scene&)> mixed,
-                             const QString& path, QWidget* parent);
+FieldEditor makeChoiceEditor(std::function<std::vector<Choice>(const Scene&)> choices,
+                             std::function<bool(const Scene&)> mixed, const QString& path,
+                             QWidget* parent);
 
 template <class Enum>
-    requires std::is_enum_v<Enum>
-FieldEditor makeEditor(const FieldBinding<Enum>& binding, QWidget* parent) {
+requires std::is_enum_v<Enum> FieldEditor makeEditor(const FieldBinding<Enum>& binding,
+                                                     QWidget* parent) {
     const auto choices = [binding](const Scene&) {
         std::vector<Choice> out;
         for (std::size_t i = 0; i < enumNames(Enum{}).size(); ++i) {
@@ -63,7 +64,9 @@ FieldEditor makeEditor(const FieldBinding<Enum>& binding, QWidget* parent) {
         }
         return out;
     };
-    return makeChoiceEditor(choices, [binding](const Scene& scene) { return binding.common(scene).mixed; }, binding.path, parent);
+    return makeChoiceEditor(
+        choices, [binding](const Scene& scene) { return binding.common(scene).mixed; },
+        binding.path, parent);
 }
 
 }  // namespace glint

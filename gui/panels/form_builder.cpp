@@ -18,7 +18,9 @@ namespace {
 QString explanation(const FieldMeta& meta) {
     QString out = meta.doc.empty() ? QString() : explanationOf(meta.doc);
     const NumberRange range{meta.min, meta.max, meta.exclusiveMin, false};
-    if (!meta.unit.empty()) out += "\n" + QCoreApplication::translate("FormBuilder", "Unit: %1").arg(shownUnit(toQString(meta.unit)));
+    if (!meta.unit.empty())
+        out += "\n" + QCoreApplication::translate("FormBuilder", "Unit: %1")
+                          .arg(shownUnit(toQString(meta.unit)));
     if (std::isfinite(meta.min) || std::isfinite(meta.max))
         out += "\n" + QCoreApplication::translate("FormBuilder", "Takes %1").arg(range.text());
     return out;
@@ -28,7 +30,8 @@ QString explanation(const FieldMeta& meta) {
 
 FormBuilder::FormBuilder(Document& document, Targets targets, QWidget* parent)
     : document_(document), targets_(std::move(targets)), parent_(parent) {
-    layout_ = parent->layout() ? static_cast<QVBoxLayout*>(parent->layout()) : new QVBoxLayout(parent);
+    layout_ =
+        parent->layout() ? static_cast<QVBoxLayout*>(parent->layout()) : new QVBoxLayout(parent);
     layout_->setContentsMargins(0, 0, 0, 0);
     layout_->setSpacing(1);
 }
@@ -39,7 +42,8 @@ Section* FormBuilder::addSection(const QString& title) {
     return section;
 }
 
-FieldEditor FormBuilder::makeSwitch(QWidget* content, const QString& path, std::function<bool(const Scene&)> isSet,
+FieldEditor FormBuilder::makeSwitch(QWidget* content, const QString& path,
+                                    std::function<bool(const Scene&)> isSet,
                                     std::function<QString(bool)> set, QWidget* parent) {
     auto* box = new QWidget(parent);
     auto* row = new QHBoxLayout(box);
@@ -47,7 +51,8 @@ FieldEditor FormBuilder::makeSwitch(QWidget* content, const QString& path, std::
     row->setSpacing(4);
     auto* check = new QCheckBox(box);
     check->setObjectName(path + ".set");
-    check->setToolTip(QCoreApplication::translate("FormBuilder", "Set it, or leave it to the default"));
+    check->setToolTip(
+        QCoreApplication::translate("FormBuilder", "Set it, or leave it to the default"));
     row->addWidget(check, 0, Qt::AlignTop);
     if (content) row->addWidget(content, 1);
     row->addStretch();
@@ -64,12 +69,14 @@ FieldEditor FormBuilder::makeSwitch(QWidget* content, const QString& path, std::
             }};
 }
 
-void FormBuilder::placeRow(Section* section, const QString& label, const FieldMeta& meta, FieldEditor editor, const Reset& reset) {
+void FormBuilder::placeRow(Section* section, const QString& label, const FieldMeta& meta,
+                           FieldEditor editor, const Reset& reset) {
     auto* title = new QLabel(label, section);
     title->setFixedWidth(title->fontMetrics().averageCharWidth() * 22);
     title->setToolTip(explanation(meta));
     editor.widget->setToolTip(explanation(meta));
-    if (auto* check = editor.widget->findChild<QCheckBox*>(QString(), Qt::FindDirectChildrenOnly)) check->setAccessibleName(label);
+    if (auto* check = editor.widget->findChild<QCheckBox*>(QString(), Qt::FindDirectChildrenOnly))
+        check->setAccessibleName(label);
 
     auto* box = new QWidget(section);
     auto* row = new QHBoxLayout(box);

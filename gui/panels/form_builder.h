@@ -1,5 +1,6 @@
-// FormBuilder: from a field table to a form. Walks a struct's fields() and puts one row for each into sections: plain fields
-// into the struct's own, nested structs and variants into sections of theirs.
+// FormBuilder: from a field table to a form. Walks a struct's fields() and puts one row for each
+// into sections: plain fields into the struct's own, nested structs and variants into sections of
+// theirs.
 #pragma once
 
 #include <QString>
@@ -16,7 +17,9 @@ class QVBoxLayout;
 namespace glint {
 
 template <class T>
-concept HasFields = requires { T::fields(); };
+concept HasFields = requires {
+    T::fields();
+};
 template <class T>
 inline constexpr bool kIsVariant = false;
 template <class... Ts>
@@ -40,17 +43,22 @@ class FormBuilder {
     void addStruct(const QString& title, const QString& path, const Lens<T>& lens) {
         Section* section = addSection(title);
         const T initial{};
-        std::apply([&](const auto&... field) { (addField(section, path, lens, field, initial), ...); }, T::fields());
+        std::apply(
+            [&](const auto&... field) { (addField(section, path, lens, field, initial), ...); },
+            T::fields());
     }
 
-    /// A choice of the type and the fields of the one that the targets hold. Fields of other types are left out.
+    /// A choice of the type and the fields of the one that the targets hold. Fields of other types
+    /// are left out.
     template <class List>
-    void addVariant(const QString& title, const QString& path, const Lens<typename List::Variant>& lens,
+    void addVariant(const QString& title, const QString& path,
+                    const Lens<typename List::Variant>& lens,
                     std::function<QString(std::string_view)> changeKind) {
         addVariantRows<List>(addSection(title), path, lens, std::move(changeKind));
     }
     template <class List>
-    void addVariantRows(Section* section, const QString& path, const Lens<typename List::Variant>& lens,
+    void addVariantRows(Section* section, const QString& path,
+                        const Lens<typename List::Variant>& lens,
                         std::function<QString(std::string_view)> changeKind) {
         addKind<List>(section, path, lens, std::move(changeKind));
         addAlternatives<List>(section, path, lens);
@@ -61,26 +69,37 @@ class FormBuilder {
     [[nodiscard]] const Targets& targets() const { return targets_; }
 
     template <class T>
-    [[nodiscard]] FieldBinding<T> bind(const Lens<T>& lens, const QString& path, std::string_view name, const FieldMeta& meta,
+    [[nodiscard]] FieldBinding<T> bind(const Lens<T>& lens, const QString& path,
+                                       std::string_view name, const FieldMeta& meta,
                                        T initial) const {
-        return {&document_, lens, targets_, path + '.' + toQString(name), labelOf(name), meta, std::move(initial)};
+        return {&document_,    lens, targets_,          path + '.' + toQString(name),
+                labelOf(name), meta, std::move(initial)};
     }
 
     /// One row of a section.
     template <class T>
     void addRow(Section* section, const FieldBinding<T>& binding) {
-        if constexpr (kIsOptional<T>) addOptional(section, binding);
-        else if constexpr (kIsTextured<T>) addTextured(section, binding);
-        else placeRow(section, binding.label, binding.meta, makeEditor(binding, section), resetOf(binding));
+        if constexpr (kIsOptional<T>)
+            addOptional(section, binding);
+        else if constexpr (kIsTextured<T>)
+            addTextured(section, binding);
+        else
+            placeRow(section, binding.label, binding.meta, makeEditor(binding, section),
+                     resetOf(binding));
     }
     /// Whether a row's value differs from its default, and how to go back to that.
     struct Reset {
         std::function<bool(const Scene&)> differs;
         std::function<void()> run;
     };
-    void placeRow(Section* section, const QString& label, const FieldMeta& meta, FieldEditor editor, const Reset& reset);
-    void addRefresh(std::function<void(const Scene&)> refresh) { refreshes_.push_back(std::move(refresh)); }
-    [[nodiscard]] std::vector<std::function<void(const Scene&)>> takeRefreshes() { return std::move(refreshes_); }
+    void placeRow(Section* section, const QString& label, const FieldMeta& meta, FieldEditor editor,
+                  const Reset& reset);
+    void addRefresh(std::function<void(const Scene&)> refresh) {
+        refreshes_.push_back(std::move(refresh));
+    }
+    [[nodiscard]] std::vector<std::function<void(const Scene&)>> takeRefreshes() {
+        return std::move(refreshes_);
+    }
 
   private:
     template <class T>
@@ -93,7 +112,8 @@ class FormBuilder {
     }
 
     template <class Owner, class Member>
-    void addField(Section* section, const QString& path, const Lens<Owner>& lens, const Field<Owner, Member>& field, const Owner& initial) {
+    void addField(Section* section, const QString& path, const Lens<Owner>& lens,
+                  const Field<Owner, Member>& field, const Owner& initial) {
         const QString name = toQString(field.name);
         const Lens<Member> member = memberOf(lens, field.member);
         if constexpr (HasFields<Member>) {
@@ -108,7 +128,8 @@ class FormBuilder {
     template <class List>
     void addKind(Section* section, const QString& path, const Lens<typename List::Variant>& lens,
                  std::function<QString(std::string_view)> changeKind) {
-        const FieldBinding<typename List::Variant> whole{&document_, lens, targets_, path + ".type", {}, {}, {}};
+        const FieldBinding<typename List::Variant> whole{&document_, lens, targets_, path + ".type",
+                                                         {},         {},   {}};
         const auto choices = [whole, changeKind](const Scene&) {
             std::vector<Choice> out;
             for (const std::string_view kind : List::kinds)
@@ -129,15 +150,21 @@ class FormBuilder {
                 }
             return false;
         };
-        placeRow(section, QCoreApplication::translate("Field", "Type"), {}, makeChoiceEditor(choices, mixed, path + ".type", section), {});
+        placeRow(section, QCoreApplication::translate("Field", "Type"), {},
+                 makeChoiceEditor(choices, mixed, path + ".type", section), {});
     }
 
     template <class List>
-    void addAlternatives(Section* section, const QString& path, const Lens<typename List::Variant>& lens) {
+    void addAlternatives(Section* section, const QString& path,
+                         const Lens<typename List::Variant>& lens) {
         const std::string_view kind = commonKind(lens);
         List::withKind(kind, [&]<class T>(const T& initial) {
             const Lens<T> alternative = alternativeOf<T>(lens);
-            std::apply([&](const auto&... field) { (addField(section, path, alternative, field, initial), ...); }, T::fields());
+            std::apply(
+                [&](const auto&... field) {
+                    (addField(section, path, alternative, field, initial), ...);
+                },
+                T::fields());
         });
     }
 
@@ -156,7 +183,8 @@ class FormBuilder {
     /// A check box in front of the editor: on gives the default value, off empties the field.
     template <class T>
     void addOptional(Section* section, const FieldBinding<std::optional<T>>& binding) {
-        const FieldBinding<T> content = binding.part(contentOf(binding.lens), QString(), contentDefault<T>());
+        const FieldBinding<T> content =
+            binding.part(contentOf(binding.lens), QString(), contentDefault<T>());
         const auto isSet = [binding](const Scene& scene) {
             const auto common = binding.common(scene);
             return common.value && common.value->has_value();
@@ -165,23 +193,29 @@ class FormBuilder {
             return binding.edit(on ? std::optional<T>(content.initial) : std::nullopt);
         };
         if constexpr (HasFields<T>) {
-            placeRow(section, binding.label, binding.meta, makeSwitch(nullptr, binding.path, isSet, set, section), {});
+            placeRow(section, binding.label, binding.meta,
+                     makeSwitch(nullptr, binding.path, isSet, set, section), {});
             if (isSet(document_.scene())) addStruct(binding.label, binding.path, content.lens);
         } else {
             const FieldEditor inner = makeEditor(content, section);
             FieldEditor row = makeSwitch(inner.widget, binding.path, isSet, set, section);
-            placeRow(section, binding.label, binding.meta,
-                     {row.widget, [row, inner](const Scene& scene) { inner.refresh(scene), row.refresh(scene); }}, {});
+            placeRow(
+                section, binding.label, binding.meta,
+                {row.widget,
+                 [row, inner](const Scene& scene) { inner.refresh(scene), row.refresh(scene); }},
+                {});
         }
     }
 
     /// The constant, and a choice of texture once the scene holds any.
     template <class T>
     void addTextured(Section* section, const FieldBinding<Textured<T>>& binding) {
-        const auto value = binding.part(memberOf(binding.lens, &Textured<T>::value), QString(), binding.initial.value);
+        const auto value = binding.part(memberOf(binding.lens, &Textured<T>::value), QString(),
+                                        binding.initial.value);
         addRow(section, value);
         if (document_.scene().textures.empty()) return;
-        auto texture = binding.part(memberOf(binding.lens, &Textured<T>::texture), ".texture", TextureId{});
+        auto texture =
+            binding.part(memberOf(binding.lens, &Textured<T>::texture), ".texture", TextureId{});
         texture.label = QCoreApplication::translate("Field", "  by texture");
         addRow(section, texture);
     }
@@ -189,13 +223,18 @@ class FormBuilder {
     /// What an empty optional becomes when it is switched on.
     template <class T>
     [[nodiscard]] static T contentDefault() {
-        if constexpr (std::is_same_v<T, Color>) return {1, 1, 1};
-        else if constexpr (std::is_same_v<T, double>) return 1;
-        else if constexpr (std::is_same_v<T, std::array<double, 12>>) return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-        else return {};
+        if constexpr (std::is_same_v<T, Color>)
+            return {1, 1, 1};
+        else if constexpr (std::is_same_v<T, double>)
+            return 1;
+        else if constexpr (std::is_same_v<T, std::array<double, 12>>)
+            return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+        else
+            return {};
     }
 
-    FieldEditor makeSwitch(QWidget* content, const QString& path, std::function<bool(const Scene&)> isSet,
+    FieldEditor makeSwitch(QWidget* content, const QString& path,
+                           std::function<bool(const Scene&)> isSet,
                            std::function<QString(bool)> set, QWidget* parent);
 
     Document& document_;

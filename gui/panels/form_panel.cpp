@@ -6,9 +6,12 @@
 
 namespace glint {
 
-FormPanel::FormPanel(Document& document, std::function<void(FormBuilder&)> build, std::function<QString(const Scene&)> structure,
-                     QWidget* parent)
-    : FormScroll(parent), document_(document), build_(std::move(build)), structure_(std::move(structure)) {
+FormPanel::FormPanel(Document& document, std::function<void(FormBuilder&)> build,
+                     std::function<QString(const Scene&)> structure, QWidget* parent)
+    : FormScroll(parent),
+      document_(document),
+      build_(std::move(build)),
+      structure_(std::move(structure)) {
     connect(&document, &Document::changed, this, &FormPanel::onChanged);
     rebuild();
 }

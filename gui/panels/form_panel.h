@@ -1,4 +1,5 @@
-// FormPanel: a scrolled form about parts of the scene that are always there, such as film and render settings.
+// FormPanel: a scrolled form about parts of the scene that are always there, such as film and
+// render settings.
 #pragma once
 
 #include <functional>
@@ -16,9 +17,10 @@ class FormPanel : public FormScroll {
     Q_OBJECT
 
   public:
-    /// `build` makes the sections; `structure` gives a text that changes whenever others are needed.
-    FormPanel(Document& document, std::function<void(FormBuilder&)> build, std::function<QString(const Scene&)> structure,
-              QWidget* parent = nullptr);
+    /// `build` makes the sections; `structure` gives a text that changes whenever others are
+    /// needed.
+    FormPanel(Document& document, std::function<void(FormBuilder&)> build,
+              std::function<QString(const Scene&)> structure, QWidget* parent = nullptr);
 
   private:
     void onChanged();

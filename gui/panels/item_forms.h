@@ -1,4 +1,5 @@
-// The forms of the property panel: which sections an object, group, light, camera, material or the scene's settings have.
+// The forms of the property panel: which sections an object, group, light, camera, material or the
+// scene's settings have.
 #pragma once
 
 #include "gui/panels/form_builder.h"
@@ -13,8 +14,10 @@ void buildMaterialForm(FormBuilder& form);
 void buildTextureForm(FormBuilder& form);
 
 /// The materials of these objects, each once.
-[[nodiscard]] std::vector<std::uint32_t> materialsOf(const Scene& scene, const std::vector<std::uint32_t>& objects);
+[[nodiscard]] std::vector<std::uint32_t> materialsOf(const Scene& scene,
+                                                     const std::vector<std::uint32_t>& objects);
 /// The textures that these materials use, each once.
-[[nodiscard]] std::vector<std::uint32_t> texturesOf(const Scene& scene, const std::vector<std::uint32_t>& materials);
+[[nodiscard]] std::vector<std::uint32_t> texturesOf(const Scene& scene,
+                                                    const std::vector<std::uint32_t>& materials);
 
 }  // namespace glint

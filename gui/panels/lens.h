@@ -1,5 +1,6 @@
-// Lens<T>: where a value of type T stands in a scene, for one of many targets given by number. The property panel is made of
-// lenses: roots (an object, the film, ...) composed with the members that field tables name.
+// Lens<T>: where a value of type T stands in a scene, for one of many targets given by number. The
+// property panel is made of lenses: roots (an object, the film, ...) composed with the members that
+// field tables name.
 #pragma once
 
 #include <QString>
@@ -43,7 +44,9 @@ template <class T, class Variant>
                 const Variant* found = owner.get(scene, target);
                 return found ? std::get_if<T>(found) : nullptr;
             },
-            [owner](Scene& scene, std::uint32_t target, const T& value) { return owner.set(scene, target, Variant(value)); }};
+            [owner](Scene& scene, std::uint32_t target, const T& value) {
+                return owner.set(scene, target, Variant(value));
+            }};
 }
 
 /// The value of an optional; none where it is empty.
@@ -53,13 +56,16 @@ template <class T>
                 const std::optional<T>* found = owner.get(scene, target);
                 return found && *found ? &**found : nullptr;
             },
-            [owner](Scene& scene, std::uint32_t target, const T& value) { return owner.set(scene, target, value); }};
+            [owner](Scene& scene, std::uint32_t target, const T& value) {
+                return owner.set(scene, target, value);
+            }};
 }
 
 /// One component of a vector or array.
 template <class Vector>
 [[nodiscard]] Lens<double> componentOf(const Lens<Vector>& owner, std::size_t index) {
-    using Index = std::conditional_t<requires(Vector v) { v.size(); }, std::size_t, int>;
+    using Index = std::conditional_t < requires(Vector v) { v.size(); }
+    , std::size_t, int > ;
     const auto i = static_cast<Index>(index);
     return {[owner, i](const Scene& scene, std::uint32_t target) -> const double* {
                 const Vector* found = owner.get(scene, target);
@@ -77,7 +83,9 @@ template <class Vector>
 /// An entry of one of the scene's tables.
 template <class T, class IdType>
 [[nodiscard]] Lens<T> entryOf(Table<T, IdType> Scene::*table) {
-    return {[table](const Scene& scene, std::uint32_t target) { return (scene.*table).find(IdType{target}); },
+    return {[table](const Scene& scene, std::uint32_t target) {
+                return (scene.*table).find(IdType{target});
+            },
             [table](Scene& scene, std::uint32_t target, const T& value) {
                 (scene.*table).set(IdType{target}, value);
                 return QString();

@@ -14,10 +14,14 @@
 namespace glint {
 
 MaterialModel::MaterialModel(Document& document, MaterialPreviews& previews, QObject* parent)
-    : QAbstractListModel(parent), document_(document), previews_(previews), rows_(document.scene().materials.ids()) {
+    : QAbstractListModel(parent),
+      document_(document),
+      previews_(previews),
+      rows_(document.scene().materials.ids()) {
     connect(&document, &Document::changed, this, &MaterialModel::onChanged);
     connect(&previews, &MaterialPreviews::changed, this, [this](MaterialId material) {
-        if (const QModelIndex index = indexOf(material); index.isValid()) emit dataChanged(index, index, {Qt::DecorationRole});
+        if (const QModelIndex index = indexOf(material); index.isValid())
+            emit dataChanged(index, index, {Qt::DecorationRole});
     });
 }
 
@@ -28,7 +32,9 @@ MaterialId MaterialModel::materialAt(const QModelIndex& index) const {
 
 QModelIndex MaterialModel::indexOf(MaterialId material) const {
     const auto found = std::lower_bound(rows_.begin(), rows_.end(), material);
-    return found != rows_.end() && *found == material ? index(static_cast<int>(found - rows_.begin())) : QModelIndex();
+    return found != rows_.end() && *found == material
+               ? index(static_cast<int>(found - rows_.begin()))
+               : QModelIndex();
 }
 
 void MaterialModel::onChanged(const Scene& before) {
@@ -41,17 +47,23 @@ void MaterialModel::onChanged(const Scene& before) {
         endResetModel();
         return;
     }
-    if (!rows_.empty()) emit dataChanged(index(0), index(static_cast<int>(rows_.size()) - 1), {Qt::DisplayRole, Qt::ToolTipRole});
+    if (!rows_.empty())
+        emit dataChanged(index(0), index(static_cast<int>(rows_.size()) - 1),
+                         {Qt::DisplayRole, Qt::ToolTipRole});
 }
 
-int MaterialModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
+int MaterialModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
 
 QString MaterialModel::toolTipOf(MaterialId material) const {
     const Scene& scene = document_.scene();
     int users = 0;
-    scene.objects.forEach([&](ObjectId, const Object& object) { users += object.material == material; });
+    scene.objects.forEach(
+        [&](ObjectId, const Object& object) { users += object.material == material; });
     const Material& value = scene.materials.at(material);
-    return tr("%1: %2, %n object(s)\nDrag it onto an object", nullptr, users).arg(toQString(value.name), labelOf(kindOf(value.value)).toLower());
+    return tr("%1: %2, %n object(s)\nDrag it onto an object", nullptr, users)
+        .arg(toQString(value.name), labelOf(kindOf(value.value)).toLower());
 }
 
 QVariant MaterialModel::data(const QModelIndex& index, int role) const {
@@ -60,13 +72,16 @@ QVariant MaterialModel::data(const QModelIndex& index, int role) const {
     if (!material) return {};
     switch (role) {
         case Qt::DisplayRole:
-        case Qt::EditRole: return toQString(material->name);
-        case Qt::ToolTipRole: return toolTipOf(id);
+        case Qt::EditRole:
+            return toQString(material->name);
+        case Qt::ToolTipRole:
+            return toolTipOf(id);
         case Qt::DecorationRole: {
             const QImage ball = previews_.of(id);
             return ball.isNull() ? icon("material") : QIcon(QPixmap::fromImage(ball));
         }
-        default: return {};
+        default:
+            return {};
     }
 }
 
@@ -78,7 +93,8 @@ bool MaterialModel::setData(const QModelIndex& index, const QVariant& value, int
     Material material = scene.materials.at(id);
     if (name == material.name) return false;
     if (name.empty() || freeMaterialName(scene, name) != name) {
-        emit refused(name.empty() ? tr("A name must not be empty") : tr("Another one has the name \"%1\"").arg(value.toString()));
+        emit refused(name.empty() ? tr("A name must not be empty")
+                                  : tr("Another one has the name \"%1\"").arg(value.toString()));
         return false;
     }
     material.name = name;
@@ -89,7 +105,8 @@ bool MaterialModel::setData(const QModelIndex& index, const QVariant& value, int
 
 Qt::ItemFlags MaterialModel::flags(const QModelIndex& index) const {
     if (!index.isValid()) return {};
-    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren;
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsDragEnabled |
+           Qt::ItemNeverHasChildren;
 }
 
 QStringList MaterialModel::mimeTypes() const { return {kMaterialMimeType}; }

@@ -1,4 +1,5 @@
-// MaterialModel: the document's materials as a list with pictures; renaming is an edit, dragging carries the material's id.
+// MaterialModel: the document's materials as a list with pictures; renaming is an edit, dragging
+// carries the material's id.
 #pragma once
 
 #include <QAbstractListModel>
@@ -26,7 +27,9 @@ class MaterialModel : public QAbstractListModel {
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
     [[nodiscard]] QStringList mimeTypes() const override;
     [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
-    [[nodiscard]] Qt::DropActions supportedDragActions() const override { return Qt::CopyAction | Qt::MoveAction; }
+    [[nodiscard]] Qt::DropActions supportedDragActions() const override {
+        return Qt::CopyAction | Qt::MoveAction;
+    }
 
   signals:
     /// A name was refused.

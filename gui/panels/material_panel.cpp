@@ -26,7 +26,8 @@ constexpr int kBall = 56;  ///< logical pixels
 
 }  // namespace
 
-MaterialPanel::MaterialPanel(Document& document, const Selection& selection, MaterialPreviews& previews, QWidget* parent)
+MaterialPanel::MaterialPanel(Document& document, const Selection& selection,
+                             MaterialPreviews& previews, QWidget* parent)
     : QWidget(parent), document_(document), selection_(selection) {
     model_ = new MaterialModel(document, previews, this);
     presets_ = new PresetPicker(previews, this);
@@ -59,14 +60,18 @@ void MaterialPanel::buildList(MaterialPreviews&) {
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(list_, &QWidget::customContextMenuRequested, this, &MaterialPanel::openMenu);
     connect(list_, &QListView::clicked, this, [this] { emit chosen(current()); });
-    connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &MaterialPanel::updateButtons);
-    auto* rename = new QShortcut(QKeySequence(Qt::Key_F2), list_, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &MaterialPanel::updateButtons);
+    auto* rename =
+        new QShortcut(QKeySequence(Qt::Key_F2), list_, nullptr, nullptr, Qt::WidgetShortcut);
     connect(rename, &QShortcut::activated, this, [this] { list_->edit(list_->currentIndex()); });
-    auto* remove = new QShortcut(QKeySequence(Qt::Key_Delete), list_, nullptr, nullptr, Qt::WidgetShortcut);
+    auto* remove =
+        new QShortcut(QKeySequence(Qt::Key_Delete), list_, nullptr, nullptr, Qt::WidgetShortcut);
     connect(remove, &QShortcut::activated, this, &MaterialPanel::removeCurrent);
 }
 
-QToolButton* MaterialPanel::addButton(const QString& iconName, const QString& name, const QString& tip) {
+QToolButton* MaterialPanel::addButton(const QString& iconName, const QString& name,
+                                      const QString& tip) {
     auto* button = new QToolButton(this);
     button->setIcon(icon(iconName));
     button->setAutoRaise(true);
@@ -76,7 +81,8 @@ QToolButton* MaterialPanel::addButton(const QString& iconName, const QString& na
 }
 
 void MaterialPanel::buildButtons() {
-    add_ = addButton("add", tr("New material"), tr("New material, from presets with measured constants"));
+    add_ = addButton("add", tr("New material"),
+                     tr("New material, from presets with measured constants"));
     add_->setObjectName("materials.add");
     add_->setText(tr("New"));
     add_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -86,7 +92,8 @@ void MaterialPanel::buildButtons() {
     assign_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     duplicate_ = addButton("duplicate", tr("Duplicate"), tr("Duplicate the material"));
     duplicate_->setObjectName("materials.duplicate");
-    remove_ = addButton("delete", tr("Delete"), tr("Delete the material (Del); objects that have it become black"));
+    remove_ = addButton("delete", tr("Delete"),
+                        tr("Delete the material (Del); objects that have it become black"));
     remove_->setObjectName("materials.remove");
     connect(add_, &QToolButton::clicked, this, &MaterialPanel::openPresets);
     connect(assign_, &QToolButton::clicked, this, &MaterialPanel::assignCurrent);
@@ -117,7 +124,8 @@ void MaterialPanel::select(MaterialId material) {
 void MaterialPanel::followSelection() {
     const auto& items = selection_.items();
     if (!items.empty() && items.back().kind == ItemKind::Object)
-        if (const Object* object = document_.scene().objects.find(ObjectId{items.back().id})) select(object->material);
+        if (const Object* object = document_.scene().objects.find(ObjectId{items.back().id}))
+            select(object->material);
     updateButtons();
 }
 
@@ -128,20 +136,24 @@ void MaterialPanel::updateButtons() {
     remove_->setEnabled(one);
 }
 
-void MaterialPanel::openPresets() { presets_->openAt(add_->mapToGlobal(QPoint(0, add_->height() + 2))); }
+void MaterialPanel::openPresets() {
+    presets_->openAt(add_->mapToGlobal(QPoint(0, add_->height() + 2)));
+}
 
 void MaterialPanel::addPreset(const MaterialPreset& preset) {
     Material material = preset.scene.materials.at(preset.material);
     material.name = presetText(preset.name).toStdString();
     auto [scene, id] = withMaterial(document_.committed(), std::move(material));
-    document_.edit(withAssigned(std::move(scene), selection_.objects(), id), tr("Add %1").arg(presetText(preset.name)));
+    document_.edit(withAssigned(std::move(scene), selection_.objects(), id),
+                   tr("Add %1").arg(presetText(preset.name)));
     select(id);
     emit chosen(id);
 }
 
 void MaterialPanel::assignCurrent() {
     if (!current()) return;
-    document_.edit(withAssigned(document_.committed(), selection_.objects(), current()), tr("Assign material"));
+    document_.edit(withAssigned(document_.committed(), selection_.objects(), current()),
+                   tr("Assign material"));
 }
 
 void MaterialPanel::duplicateCurrent() {
@@ -156,7 +168,9 @@ void MaterialPanel::removeCurrent() {
     document_.edit(withoutMaterial(document_.committed(), current(), {}), tr("Delete material"));
 }
 
-void MaterialPanel::removeUnused() { document_.edit(withoutUnusedMaterials(document_.committed()), tr("Delete unused materials")); }
+void MaterialPanel::removeUnused() {
+    document_.edit(withoutUnusedMaterials(document_.committed()), tr("Delete unused materials"));
+}
 
 void MaterialPanel::openMenu(const QPoint& at) {
     auto* menu = new QMenu(this);

@@ -1,4 +1,5 @@
-// MaterialPanel: the materials of the scene with traced balls: add, assign, rename, duplicate, delete, drag onto an object.
+// MaterialPanel: the materials of the scene with traced balls: add, assign, rename, duplicate,
+// delete, drag onto an object.
 #pragma once
 
 #include <QWidget>
@@ -21,7 +22,8 @@ class MaterialPanel : public QWidget {
     Q_OBJECT
 
   public:
-    MaterialPanel(Document& document, const Selection& selection, MaterialPreviews& previews, QWidget* parent = nullptr);
+    MaterialPanel(Document& document, const Selection& selection, MaterialPreviews& previews,
+                  QWidget* parent = nullptr);
 
     [[nodiscard]] QListView* list() const { return list_; }
     [[nodiscard]] MaterialId current() const;

@@ -32,7 +32,8 @@ ObjectList::ObjectList(Document& document, Selection& selection, QWidget* parent
     search_->addAction(icon("search"), QLineEdit::LeadingPosition);
     search_->setAccessibleName(tr("Search objects"));
     connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
-        // Without the rows while the filter changes: thousands of them coming and going one by one would take long.
+        // Without the rows while the filter changes: thousands of them coming and going one by one
+        // would take long.
         {
             const QScopedValueRollback guard(syncing_, true);
             filter_->setSourceModel(nullptr);
@@ -66,7 +67,8 @@ ObjectList::ObjectList(Document& document, Selection& selection, QWidget* parent
     connect(model_, &QAbstractItemModel::modelAboutToBeReset, this, &ObjectList::noteCollapsed);
     connect(model_, &QAbstractItemModel::modelReset, this, [this] {
         tree_->expandAll();
-        for (const Item group : collapsed_) tree_->setExpanded(filter_->mapFromSource(model_->indexOf(group)), false);
+        for (const Item group : collapsed_)
+            tree_->setExpanded(filter_->mapFromSource(model_->indexOf(group)), false);
         showSelection();
     });
 }
@@ -98,7 +100,8 @@ void ObjectList::buildTree() {
     });
     connect(tree_, &QWidget::customContextMenuRequested, this,
             [this](const QPoint& at) { emit menuRequested(tree_->viewport()->mapToGlobal(at)); });
-    connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ObjectList::takeSelection);
+    connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &ObjectList::takeSelection);
 }
 
 void ObjectList::setAddMenu(QMenu* menu) { add_->setMenu(menu); }
@@ -118,7 +121,8 @@ void ObjectList::noteCollapsed() {
         for (int row = 0; row < filter_->rowCount(parent); ++row) {
             const QModelIndex index = filter_->index(row, 0, parent);
             if (!filter_->hasChildren(index)) continue;
-            if (!tree_->isExpanded(index)) collapsed_.push_back(model_->itemAt(filter_->mapToSource(index)));
+            if (!tree_->isExpanded(index))
+                collapsed_.push_back(model_->itemAt(filter_->mapToSource(index)));
             self(self, index);
         }
     };
@@ -128,11 +132,13 @@ void ObjectList::noteCollapsed() {
 void ObjectList::takeSelection() {
     if (syncing_) return;
     std::vector<Item> items;
-    for (const QModelIndex& index : tree_->selectionModel()->selectedRows()) items.push_back(model_->itemAt(filter_->mapToSource(index)));
+    for (const QModelIndex& index : tree_->selectionModel()->selectedRows())
+        items.push_back(model_->itemAt(filter_->mapToSource(index)));
     // The row that was clicked last is the active item.
     const QModelIndex current = tree_->currentIndex();
     if (current.isValid()) {
-        const auto active = std::find(items.begin(), items.end(), model_->itemAt(filter_->mapToSource(current)));
+        const auto active =
+            std::find(items.begin(), items.end(), model_->itemAt(filter_->mapToSource(current)));
         if (active != items.end()) std::rotate(active, active + 1, items.end());
     }
     const QScopedValueRollback guard(syncing_, true);
@@ -148,16 +154,23 @@ void ObjectList::showSelection() {
         if (index.isValid()) rows.push_back(index);
     }
     // One range for each run of siblings: thousands of single rows would make every paint slow.
-    const auto place = [](const QModelIndex& index) { return std::pair(index.parent(), index.row()); };
-    std::sort(rows.begin(), rows.end(), [&](const QModelIndex& a, const QModelIndex& b) { return place(a) < place(b); });
+    const auto place = [](const QModelIndex& index) {
+        return std::pair(index.parent(), index.row());
+    };
+    std::sort(rows.begin(), rows.end(),
+              [&](const QModelIndex& a, const QModelIndex& b) { return place(a) < place(b); });
     QItemSelection ranges;
     for (std::size_t i = 0; i < rows.size();) {
         std::size_t end = i + 1;
-        while (end < rows.size() && place(rows[end]) == std::pair(rows[i].parent(), rows[end - 1].row() + 1)) ++end;
-        ranges.append(QItemSelectionRange(rows[i], rows[end - 1].siblingAtColumn(ObjectModel::ColumnCount - 1)));
+        while (end < rows.size() &&
+               place(rows[end]) == std::pair(rows[i].parent(), rows[end - 1].row() + 1))
+            ++end;
+        ranges.append(QItemSelectionRange(
+            rows[i], rows[end - 1].siblingAtColumn(ObjectModel::ColumnCount - 1)));
         i = end;
     }
-    // Without updates the tree does not look for the rectangle of every row: it is painted as a whole.
+    // Without updates the tree does not look for the rectangle of every row: it is painted as a
+    // whole.
     tree_->setUpdatesEnabled(false);
     tree_->selectionModel()->select(ranges, QItemSelectionModel::ClearAndSelect);
     tree_->setUpdatesEnabled(true);

@@ -1,4 +1,5 @@
-// ObjectList: the panel with everything in the scene: search, tree, and the document's selection in it.
+// ObjectList: the panel with everything in the scene: search, tree, and the document's selection in
+// it.
 #pragma once
 
 #include <QWidget>

@@ -23,7 +23,8 @@ constexpr std::size_t kRebuildAbove = 200;
 
 }  // namespace
 
-ObjectModel::ObjectModel(Document& document, QObject* parent) : QAbstractItemModel(parent), document_(document) {
+ObjectModel::ObjectModel(Document& document, QObject* parent)
+    : QAbstractItemModel(parent), document_(document) {
     connect(&document, &Document::changed, this, &ObjectModel::onChanged);
     rebuild();
 }
@@ -50,20 +51,27 @@ void ObjectModel::rebuild() {
 void ObjectModel::onChanged(const Scene& before) {
     std::vector<ItemDifference> changes;
     const Scene& after = document_.scene();
-    forEachItemDifference(before, after, [&](const ItemDifference& change) { changes.push_back(change); });
+    forEachItemDifference(before, after,
+                          [&](const ItemDifference& change) { changes.push_back(change); });
     if (before.activeCamera != after.activeCamera)
         for (const CameraId id : {before.activeCamera, after.activeCamera}) refresh(Item::of(id));
     const auto restructures = [](const ItemDifference& c) { return !c.was || !c.is || c.moved; };
-    const auto restructured = static_cast<std::size_t>(std::count_if(changes.begin(), changes.end(), restructures));
+    const auto restructured =
+        static_cast<std::size_t>(std::count_if(changes.begin(), changes.end(), restructures));
     // A group that comes, goes or moves takes its rows along: rare, and simplest from scratch.
-    const bool groups = std::any_of(changes.begin(), changes.end(),
-                                    [&](const ItemDifference& c) { return c.item.kind == ItemKind::Group && restructures(c); });
+    const bool groups = std::any_of(changes.begin(), changes.end(), [&](const ItemDifference& c) {
+        return c.item.kind == ItemKind::Group && restructures(c);
+    });
     if (groups || restructured > kRebuildAbove) return rebuild();
     for (const ItemDifference& change : changes) {
-        if (!restructures(change)) refresh(change.item);
-        else if (change.moved) move(change.item);
-        else if (change.is) insert(change.item);
-        else remove(change.item);
+        if (!restructures(change))
+            refresh(change.item);
+        else if (change.moved)
+            move(change.item);
+        else if (change.is)
+            insert(change.item);
+        else
+            remove(change.item);
     }
 }
 
@@ -108,10 +116,14 @@ ObjectModel::Node* ObjectModel::parentNodeOf(Item item) {
 
 int ObjectModel::rowFor(const Node& parent, Item item) {
     const auto& children = parent.children;
-    return static_cast<int>(std::lower_bound(children.begin(), children.end(), item, [](const Node* n, Item i) { return n->item < i; }) - children.begin());
+    return static_cast<int>(std::lower_bound(children.begin(), children.end(), item,
+                                             [](const Node* n, Item i) { return n->item < i; }) -
+                            children.begin());
 }
 
-ObjectModel::Node* ObjectModel::nodeOf(const QModelIndex& index) const { return static_cast<Node*>(index.internalPointer()); }
+ObjectModel::Node* ObjectModel::nodeOf(const QModelIndex& index) const {
+    return static_cast<Node*>(index.internalPointer());
+}
 
 QModelIndex ObjectModel::indexOfNode(const Node* node, int column) const {
     if (node == &root_) return {};
@@ -127,7 +139,9 @@ QModelIndex ObjectModel::indexOf(Item item) const {
 
 QModelIndex ObjectModel::index(int row, int column, const QModelIndex& parent) const {
     const Node* node = parent.isValid() ? nodeOf(parent) : &root_;
-    if (row < 0 || static_cast<std::size_t>(row) >= node->children.size() || column < 0 || column >= ColumnCount) return {};
+    if (row < 0 || static_cast<std::size_t>(row) >= node->children.size() || column < 0 ||
+        column >= ColumnCount)
+        return {};
     return createIndex(row, column, node->children[static_cast<std::size_t>(row)]);
 }
 
@@ -145,10 +159,14 @@ int ObjectModel::columnCount(const QModelIndex&) const { return ColumnCount; }
 QString ObjectModel::iconName(Item item) const {
     const Scene& scene = document_.scene();
     switch (item.kind) {
-        case ItemKind::Group: return QStringLiteral("group");
-        case ItemKind::Camera: return QStringLiteral("camera");
-        case ItemKind::Object: return "shape-" + toQString(kindOf(scene.objects.at(ObjectId{item.id}).shape));
-        case ItemKind::Light: return "light-" + toQString(kindOf(scene.lights.at(LightId{item.id}).value));
+        case ItemKind::Group:
+            return QStringLiteral("group");
+        case ItemKind::Camera:
+            return QStringLiteral("camera");
+        case ItemKind::Object:
+            return "shape-" + toQString(kindOf(scene.objects.at(ObjectId{item.id}).shape));
+        case ItemKind::Light:
+            return "light-" + toQString(kindOf(scene.lights.at(LightId{item.id}).value));
     }
     return {};
 }
@@ -175,12 +193,15 @@ QVariant ObjectModel::data(const QModelIndex& index, int role) const {
     if (column == VisibleColumn && item.kind != ItemKind::Camera) {
         const bool on = isVisible(scene, item);
         if (role == Qt::DecorationRole) return icon(on ? "eye" : "eye-off");
-        if (role == Qt::ToolTipRole) return on ? tr("Visible: click to hide") : tr("Hidden: click to show");
+        if (role == Qt::ToolTipRole)
+            return on ? tr("Visible: click to hide") : tr("Hidden: click to show");
     }
     if (column == LockedColumn && lockable) {
         const bool on = isLocked(scene, item);
         if (role == Qt::DecorationRole) return icon(on ? "lock" : "unlock");
-        if (role == Qt::ToolTipRole) return on ? tr("Locked: click to unlock") : tr("Click to lock: it cannot be picked then");
+        if (role == Qt::ToolTipRole)
+            return on ? tr("Locked: click to unlock")
+                      : tr("Click to lock: it cannot be picked then");
     }
     return {};
 }
@@ -191,7 +212,9 @@ bool ObjectModel::setData(const QModelIndex& index, const QVariant& value, int r
     const std::string name = value.toString().trimmed().toStdString();
     const NameFault fault = nameFault(document_.committed(), item, name);
     if (fault != NameFault::None) {
-        emit refused(fault == NameFault::Empty ? tr("A name must not be empty") : tr("Another one has the name \"%1\"").arg(value.toString()));
+        emit refused(fault == NameFault::Empty
+                         ? tr("A name must not be empty")
+                         : tr("Another one has the name \"%1\"").arg(value.toString()));
         return false;
     }
     document_.edit(renamed(document_.committed(), item, name), tr("Rename"));
@@ -205,7 +228,8 @@ void ObjectModel::toggle(const QModelIndex& index) {
         const bool on = isVisible(scene, item);
         document_.edit(withVisible(scene, item, !on), on ? tr("Hide") : tr("Show"));
     }
-    if (index.column() == LockedColumn && (item.kind == ItemKind::Object || item.kind == ItemKind::Group)) {
+    if (index.column() == LockedColumn &&
+        (item.kind == ItemKind::Object || item.kind == ItemKind::Group)) {
         const bool on = isLocked(scene, item);
         document_.edit(withLocked(scene, item, !on), on ? tr("Unlock") : tr("Lock"));
     }
@@ -217,9 +241,11 @@ Qt::ItemFlags ObjectModel::flags(const QModelIndex& index) const {
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
     const bool named = item.kind != ItemKind::Camera || item.id != 0;
     if (index.column() == NameColumn && named) flags |= Qt::ItemIsEditable;
-    if (item.kind == ItemKind::Object || item.kind == ItemKind::Group) flags |= Qt::ItemIsDragEnabled;
+    if (item.kind == ItemKind::Object || item.kind == ItemKind::Group)
+        flags |= Qt::ItemIsDragEnabled;
     // Groups take objects, and both take a material.
-    if (item.kind == ItemKind::Group || item.kind == ItemKind::Object) flags |= Qt::ItemIsDropEnabled;
+    if (item.kind == ItemKind::Group || item.kind == ItemKind::Object)
+        flags |= Qt::ItemIsDropEnabled;
     return flags;
 }
 
@@ -238,10 +264,14 @@ QMimeData* ObjectModel::mimeData(const QModelIndexList& indexes) const {
     return data;
 }
 
-bool ObjectModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int, int, const QModelIndex& parent) {
+bool ObjectModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int, int,
+                               const QModelIndex& parent) {
     if (const auto material = draggedMaterial(data, document_.committed())) {
         if (parent.isValid())
-            document_.edit(withAssigned(document_.committed(), objectsWithin(document_.committed(), {itemAt(parent)}), *material), tr("Assign material"));
+            document_.edit(
+                withAssigned(document_.committed(),
+                             objectsWithin(document_.committed(), {itemAt(parent)}), *material),
+                tr("Assign material"));
         return false;
     }
     if (action != Qt::MoveAction || !data->hasFormat(kMimeType)) return false;
@@ -259,7 +289,8 @@ bool ObjectModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int
         stream >> kind >> id;
         const Item item{static_cast<ItemKind>(kind), id};
         // The text may come from another window.
-        if (kind <= static_cast<quint8>(ItemKind::Camera) && exists(document_.scene(), item)) items.push_back(item);
+        if (kind <= static_cast<quint8>(ItemKind::Camera) && exists(document_.scene(), item))
+            items.push_back(item);
     }
     Scene scene = document_.committed();
     for (const Item item : topmost(scene, items)) scene = movedInto(std::move(scene), item, group);

@@ -1,5 +1,6 @@
-// ObjectModel: the tree of the object list. It keeps the shape of the tree (who is under whom) to answer the view quickly,
-// and reads everything else from the document. After a change it touches only the rows that differ.
+// ObjectModel: the tree of the object list. It keeps the shape of the tree (who is under whom) to
+// answer the view quickly, and reads everything else from the document. After a change it touches
+// only the rows that differ.
 #pragma once
 
 #include <QAbstractItemModel>
@@ -26,7 +27,8 @@ class ObjectModel : public QAbstractItemModel {
     /// Switches visibility or lock of the item in that column.
     void toggle(const QModelIndex& index);
 
-    [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QModelIndex index(int row, int column,
+                                    const QModelIndex& parent = {}) const override;
     [[nodiscard]] QModelIndex parent(const QModelIndex& index) const override;
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -35,8 +37,11 @@ class ObjectModel : public QAbstractItemModel {
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
     [[nodiscard]] QStringList mimeTypes() const override;
     [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
-    [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction | Qt::CopyAction; }
-    bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column, const QModelIndex& parent) override;
+    [[nodiscard]] Qt::DropActions supportedDropActions() const override {
+        return Qt::MoveAction | Qt::CopyAction;
+    }
+    bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                      const QModelIndex& parent) override;
 
   signals:
     /// A name was refused.

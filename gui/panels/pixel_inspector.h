@@ -1,4 +1,5 @@
-// PixelInspector: explains a pixel: the paths of one of its samples, what each surface did to them, and what light each found.
+// PixelInspector: explains a pixel: the paths of one of its samples, what each surface did to them,
+// and what light each found.
 #pragma once
 
 #include <QPoint>
@@ -20,7 +21,8 @@ class PixelInspector : public QWidget {
     Q_OBJECT
 
   public:
-    PixelInspector(Document& document, Renderer& renderer, Selection& selection, QWidget* parent = nullptr);
+    PixelInspector(Document& document, Renderer& renderer, Selection& selection,
+                   QWidget* parent = nullptr);
 
     /// Traces sample 0 of this pixel of the picture that is shown, and shows it.
     void inspect(const QPoint& pixel);

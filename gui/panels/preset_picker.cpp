@@ -21,7 +21,8 @@ QString slotOf(const MaterialPreset& preset) { return "preset " + preset.name; }
 
 }  // namespace
 
-PresetPicker::PresetPicker(MaterialPreviews& previews, QWidget* parent) : QFrame(parent, Qt::Popup), previews_(previews) {
+PresetPicker::PresetPicker(MaterialPreviews& previews, QWidget* parent)
+    : QFrame(parent, Qt::Popup), previews_(previews) {
     setFrameShape(QFrame::StyledPanel);
     setAccessibleName(tr("Material presets"));
     search_ = new QLineEdit(this);
@@ -55,11 +56,15 @@ void PresetPicker::fill() {
         const MaterialPreset& preset = presets[i];
         auto* item = new QListWidgetItem(icon("material"), presetText(preset.name), list_);
         item->setData(Qt::UserRole, QVariant::fromValue(i));
-        item->setToolTip(QStringLiteral("<b>%1</b> · %2<br>%3").arg(presetText(preset.name), presetText(preset.category), preset.source.toHtmlEscaped()));
+        item->setToolTip(QStringLiteral("<b>%1</b> · %2<br>%3")
+                             .arg(presetText(preset.name), presetText(preset.category),
+                                  preset.source.toHtmlEscaped()));
     }
     // The last request is traced first: ask from the end, so that pictures appear in reading order.
     for (std::size_t i = presets.size(); i-- > 0;)
-        if (const QImage ball = previews_.of(presets[i].scene, presets[i].material, slotOf(presets[i])); !ball.isNull())
+        if (const QImage ball =
+                previews_.of(presets[i].scene, presets[i].material, slotOf(presets[i]));
+            !ball.isNull())
             list_->item(static_cast<int>(i))->setIcon(QIcon(QPixmap::fromImage(ball)));
 }
 
@@ -68,7 +73,8 @@ void PresetPicker::showPicture(const QString& slot) {
     for (int row = 0; row < list_->count(); ++row) {
         const MaterialPreset& preset = presets[static_cast<std::size_t>(row)];
         if (slotOf(preset) == slot)
-            list_->item(row)->setIcon(QIcon(QPixmap::fromImage(previews_.of(preset.scene, preset.material, slot))));
+            list_->item(row)->setIcon(
+                QIcon(QPixmap::fromImage(previews_.of(preset.scene, preset.material, slot))));
     }
 }
 

@@ -5,8 +5,8 @@
 #include <QVBoxLayout>
 
 #include "gui/app/document.h"
-#include "gui/app/selection.h"
 #include "gui/app/material_previews.h"
+#include "gui/app/selection.h"
 #include "gui/panels/item_forms.h"
 #include "gui/widgets/preview_ball.h"
 #include "gui/widgets/section.h"
@@ -15,9 +15,12 @@ namespace glint {
 
 namespace {
 
-Targets makeTargets(std::vector<std::uint32_t> ids) { return std::make_shared<const std::vector<std::uint32_t>>(std::move(ids)); }
+Targets makeTargets(std::vector<std::uint32_t> ids) {
+    return std::make_shared<const std::vector<std::uint32_t>>(std::move(ids));
+}
 
-/// The ids of the selected items of the active item's kind, the active one first: its values are shown.
+/// The ids of the selected items of the active item's kind, the active one first: its values are
+/// shown.
 std::vector<std::uint32_t> selectedIds(const Selection& selection) {
     std::vector<std::uint32_t> out;
     const Item active = selection.items().back();
@@ -56,7 +59,8 @@ std::vector<std::size_t> PropertyPanel::structure() const {
     enum About : std::size_t { kNothing, kMaterial, kItems };
     std::vector<std::size_t> out;
     const auto addMaterialKinds = [&](const std::vector<std::uint32_t>& materials) {
-        for (const std::uint32_t id : materials) out.insert(out.end(), {id, scene.materials.at(MaterialId{id}).value.index()});
+        for (const std::uint32_t id : materials)
+            out.insert(out.end(), {id, scene.materials.at(MaterialId{id}).value.index()});
         const std::vector<std::uint32_t> textures = texturesOf(scene, materials);
         out.insert(out.end(), textures.begin(), textures.end());
     };
@@ -68,7 +72,8 @@ std::vector<std::size_t> PropertyPanel::structure() const {
     }
     const ItemKind kind = selection_.items().back().kind;
     const std::vector<std::uint32_t> ids = selectedIds(selection_);
-    out.insert(out.end(), {kItems, static_cast<std::size_t>(kind), scene.textures.size(), ids.size()});
+    out.insert(out.end(),
+               {kItems, static_cast<std::size_t>(kind), scene.textures.size(), ids.size()});
     for (const std::uint32_t id : ids) {
         out.push_back(id);
         if (kind == ItemKind::Object) out.push_back(scene.objects.at(ObjectId{id}).shape.index());
@@ -78,7 +83,8 @@ std::vector<std::size_t> PropertyPanel::structure() const {
     return out;
 }
 
-void PropertyPanel::addForm(QWidget* content, std::vector<std::uint32_t> targets, void (*build)(FormBuilder&)) {
+void PropertyPanel::addForm(QWidget* content, std::vector<std::uint32_t> targets,
+                            void (*build)(FormBuilder&)) {
     if (targets.empty()) return;
     FormBuilder form(document_, makeTargets(std::move(targets)), content);
     build(form);
@@ -89,12 +95,14 @@ void PropertyPanel::addMaterials(QWidget* content, const std::vector<std::uint32
     const int head = content->layout()->count();
     addForm(content, materials, buildMaterialForm);
     if (previews_ && materials.size() == 1)
-        static_cast<Section*>(content->layout()->itemAt(head)->widget())->addHead(new PreviewBall(*previews_, MaterialId{materials.front()}, content));
+        static_cast<Section*>(content->layout()->itemAt(head)->widget())
+            ->addHead(new PreviewBall(*previews_, MaterialId{materials.front()}, content));
     addForm(content, texturesOf(document_.scene(), materials), buildTextureForm);
 }
 
 void PropertyPanel::addHint(QWidget* content) {
-    auto* hint = new QLabel(tr("Nothing selected.\nClick an object in the picture or in the list."), content);
+    auto* hint = new QLabel(tr("Nothing selected.\nClick an object in the picture or in the list."),
+                            content);
     hint->setAlignment(Qt::AlignCenter);
     hint->setWordWrap(true);
     hint->setEnabled(false);
@@ -106,7 +114,8 @@ void PropertyPanel::rebuild() {
     refreshes_.clear();
     QWidget* content = newForm();
     auto* layout = new QVBoxLayout(content);
-    const bool nothing = selection_.isEmpty(), material = nothing && document_.scene().materials.find(material_);
+    const bool nothing = selection_.isEmpty(),
+               material = nothing && document_.scene().materials.find(material_);
     if (nothing && !material) {
         addHint(content);
         showForm();
@@ -121,9 +130,15 @@ void PropertyPanel::rebuild() {
                 addForm(content, ids, buildObjectForm);
                 addMaterials(content, materialsOf(document_.scene(), ids));
                 break;
-            case ItemKind::Group: addForm(content, ids, buildGroupForm); break;
-            case ItemKind::Light: addForm(content, ids, buildLightForm); break;
-            case ItemKind::Camera: addForm(content, ids, buildCameraForm); break;
+            case ItemKind::Group:
+                addForm(content, ids, buildGroupForm);
+                break;
+            case ItemKind::Light:
+                addForm(content, ids, buildLightForm);
+                break;
+            case ItemKind::Camera:
+                addForm(content, ids, buildCameraForm);
+                break;
         }
     }
     layout->addStretch(1);

@@ -1,5 +1,5 @@
-// PropertyPanel: the fields of the selected items, made from the field tables. It is rebuilt when what it is about changes
-// (other items, another type), and else only refreshed.
+// PropertyPanel: the fields of the selected items, made from the field tables. It is rebuilt when
+// what it is about changes (other items, another type), and else only refreshed.
 #pragma once
 
 #include <functional>

@@ -24,9 +24,12 @@ Choice choiceOf(const FieldBinding<T>& binding, const QString& text, T value) {
 }
 
 template <class T>
-FieldEditor makeReference(const FieldBinding<T>& binding, std::function<std::vector<Choice>(const Scene&)> choices, QWidget* parent) {
-    FieldEditor editor = makeChoiceEditor(std::move(choices), [binding](const Scene& scene) { return binding.common(scene).mixed; },
-                                          binding.path, parent);
+FieldEditor makeReference(const FieldBinding<T>& binding,
+                          std::function<std::vector<Choice>(const Scene&)> choices,
+                          QWidget* parent) {
+    FieldEditor editor = makeChoiceEditor(
+        std::move(choices), [binding](const Scene& scene) { return binding.common(scene).mixed; },
+        binding.path, parent);
     editor.widget->setAccessibleName(binding.label);
     return editor;
 }
@@ -44,12 +47,14 @@ void collectParts(const Scene& scene, MaterialId material, std::set<MaterialId>&
 bool canHold(const Scene& scene, const std::vector<std::uint32_t>& mixes, MaterialId part) {
     std::set<MaterialId> parts;
     collectParts(scene, part, parts);
-    return std::none_of(mixes.begin(), mixes.end(), [&](std::uint32_t mix) { return parts.contains(MaterialId{mix}); });
+    return std::none_of(mixes.begin(), mixes.end(),
+                        [&](std::uint32_t mix) { return parts.contains(MaterialId{mix}); });
 }
 
 bool isWithin(const Scene& scene, GroupId group, const std::vector<std::uint32_t>& ancestors) {
     for (; group; group = scene.groups.at(group).parent)
-        if (std::find(ancestors.begin(), ancestors.end(), group.value) != ancestors.end()) return true;
+        if (std::find(ancestors.begin(), ancestors.end(), group.value) != ancestors.end())
+            return true;
     return false;
 }
 
@@ -58,11 +63,15 @@ bool isWithin(const Scene& scene, GroupId group, const std::vector<std::uint32_t
 FieldEditor makeEditor(const FieldBinding<MaterialId>& binding, QWidget* parent) {
     const auto choices = [binding](const Scene& scene) {
         std::vector<Choice> out{choiceOf(binding, Text::tr("None (black)"), MaterialId{})};
-        scene.materials.forEach([&](MaterialId id, const Material& m) { out.push_back(choiceOf(binding, toQString(m.name), id)); });
+        scene.materials.forEach([&](MaterialId id, const Material& m) {
+            out.push_back(choiceOf(binding, toQString(m.name), id));
+        });
         out.push_back({Text::tr("New material"), {}, [binding] {
-                           auto [next, id] = withMaterial(binding.document->committed(), Material{"Material", Diffuse{}});
+                           auto [next, id] = withMaterial(binding.document->committed(),
+                                                          Material{"Material", Diffuse{}});
                            QString reason = binding.apply(next, id);
-                           if (reason.isEmpty()) binding.document->edit(std::move(next), Text::tr("New material"));
+                           if (reason.isEmpty())
+                               binding.document->edit(std::move(next), Text::tr("New material"));
                            return reason;
                        }});
         return out;
@@ -75,7 +84,8 @@ FieldEditor makeEditor(const FieldBinding<GroupId>& binding, QWidget* parent) {
     const auto choices = [binding, ofGroups](const Scene& scene) {
         std::vector<Choice> out{choiceOf(binding, Text::tr("None"), GroupId{})};
         scene.groups.forEach([&](GroupId id, const Group& group) {
-            if (!ofGroups || !isWithin(scene, id, *binding.targets)) out.push_back(choiceOf(binding, toQString(group.name), id));
+            if (!ofGroups || !isWithin(scene, id, *binding.targets))
+                out.push_back(choiceOf(binding, toQString(group.name), id));
         });
         return out;
     };
@@ -85,7 +95,9 @@ FieldEditor makeEditor(const FieldBinding<GroupId>& binding, QWidget* parent) {
 FieldEditor makeEditor(const FieldBinding<TextureId>& binding, QWidget* parent) {
     const auto choices = [binding](const Scene& scene) {
         std::vector<Choice> out{choiceOf(binding, Text::tr("No texture"), TextureId{})};
-        scene.textures.forEach([&](TextureId id, const Texture& t) { out.push_back(choiceOf(binding, toQString(t.name), id)); });
+        scene.textures.forEach([&](TextureId id, const Texture& t) {
+            out.push_back(choiceOf(binding, toQString(t.name), id));
+        });
         return out;
     };
     return makeReference(binding, choices, parent);
@@ -94,10 +106,12 @@ FieldEditor makeEditor(const FieldBinding<TextureId>& binding, QWidget* parent) 
 FieldEditor makeEditor(const FieldBinding<MixPart>& binding, QWidget* parent) {
     const auto choices = [binding](const Scene& scene) {
         std::vector<Choice> out;
-        // A scene may hold at most one "clear" in a mix; the lens refuses the second with its reason.
+        // A scene may hold at most one "clear" in a mix; the lens refuses the second with its
+        // reason.
         out.push_back(choiceOf(binding, Text::tr("Clear"), MixPart{{}, true}));
         scene.materials.forEach([&](MaterialId id, const Material& m) {
-            if (canHold(scene, *binding.targets, id)) out.push_back(choiceOf(binding, toQString(m.name), MixPart{id, false}));
+            if (canHold(scene, *binding.targets, id))
+                out.push_back(choiceOf(binding, toQString(m.name), MixPart{id, false}));
         });
         return out;
     };

@@ -30,10 +30,15 @@ QPixmap tile(const QImage& picture, double ratio) {
     if (!picture.isNull()) {
         const QSize fitted = picture.size().scaled(out.size(), Qt::KeepAspectRatio);
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawImage(QRect(QPoint((out.width() - fitted.width()) / 2, (out.height() - fitted.height()) / 2), fitted), picture);
+        painter.drawImage(
+            QRect(QPoint((out.width() - fitted.width()) / 2, (out.height() - fitted.height()) / 2),
+                  fitted),
+            picture);
     } else {
         const double side = 28 * ratio;
-        drawIcon(painter, "image", QRectF((out.width() - side) / 2, (out.height() - side) / 2, side, side), QColor(96, 96, 96));
+        drawIcon(painter, "image",
+                 QRectF((out.width() - side) / 2, (out.height() - side) / 2, side, side),
+                 QColor(96, 96, 96));
     }
     out.setDevicePixelRatio(ratio);
     return out;
@@ -41,11 +46,17 @@ QPixmap tile(const QImage& picture, double ratio) {
 
 // Names of the files that come with the program, for lupdate.
 [[maybe_unused]] constexpr const char* kTitles[] = {
-    QT_TRANSLATE_NOOP("SceneTitle", "Studio"), QT_TRANSLATE_NOOP("SceneTitle", "Outdoor"), QT_TRANSLATE_NOOP("SceneTitle", "Room"),
-    QT_TRANSLATE_NOOP("SceneTitle", "Picture light"), QT_TRANSLATE_NOOP("SceneTitle", "Empty"),
-    QT_TRANSLATE_NOOP("SceneTitle", "Columns"), QT_TRANSLATE_NOOP("SceneTitle", "Cornell"),
-    QT_TRANSLATE_NOOP("SceneTitle", "Depth of field"), QT_TRANSLATE_NOOP("SceneTitle", "Glass study"),
-    QT_TRANSLATE_NOOP("SceneTitle", "Many balls"), QT_TRANSLATE_NOOP("SceneTitle", "Materials"),
+    QT_TRANSLATE_NOOP("SceneTitle", "Studio"),
+    QT_TRANSLATE_NOOP("SceneTitle", "Outdoor"),
+    QT_TRANSLATE_NOOP("SceneTitle", "Room"),
+    QT_TRANSLATE_NOOP("SceneTitle", "Picture light"),
+    QT_TRANSLATE_NOOP("SceneTitle", "Empty"),
+    QT_TRANSLATE_NOOP("SceneTitle", "Columns"),
+    QT_TRANSLATE_NOOP("SceneTitle", "Cornell"),
+    QT_TRANSLATE_NOOP("SceneTitle", "Depth of field"),
+    QT_TRANSLATE_NOOP("SceneTitle", "Glass study"),
+    QT_TRANSLATE_NOOP("SceneTitle", "Many balls"),
+    QT_TRANSLATE_NOOP("SceneTitle", "Materials"),
     QT_TRANSLATE_NOOP("SceneTitle", "Still life")};
 
 }  // namespace
@@ -65,7 +76,8 @@ QString sceneTitle(const std::filesystem::path& file) {
     return QCoreApplication::translate("SceneTitle", name.toUtf8().constData());
 }
 
-StartPage::StartPage(SceneThumbnails& thumbnails, const QStringList& recent, QWidget* parent) : QFrame(parent), thumbnails_(thumbnails) {
+StartPage::StartPage(SceneThumbnails& thumbnails, const QStringList& recent, QWidget* parent)
+    : QFrame(parent), thumbnails_(thumbnails) {
     setObjectName("startPage");
     setAutoFillBackground(true);
     setAccessibleName(tr("Start page"));
@@ -84,14 +96,18 @@ StartPage::StartPage(SceneThumbnails& thumbnails, const QStringList& recent, QWi
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(0, 0, 12, 0);
     layout->setSpacing(8);
-    addFiles(layout, tr("New from a template"), "start.templates", sceneFiles(templateFolder()), &StartPage::templateRequested);
-    addFiles(layout, tr("Demos"), "start.demos", sceneFiles(demoFolder()), &StartPage::openRequested);
+    addFiles(layout, tr("New from a template"), "start.templates", sceneFiles(templateFolder()),
+             &StartPage::templateRequested);
+    addFiles(layout, tr("Demos"), "start.demos", sceneFiles(demoFolder()),
+             &StartPage::openRequested);
     std::vector<std::filesystem::path> files;
     for (const QString& file : recent) {
         std::error_code ignored;
-        if (std::filesystem::exists(toPath(file), ignored) && files.size() < 6) files.push_back(toPath(file));
+        if (std::filesystem::exists(toPath(file), ignored) && files.size() < 6)
+            files.push_back(toPath(file));
     }
-    if (!files.empty()) addFiles(layout, tr("Recent"), "start.recent", files, &StartPage::openRequested);
+    if (!files.empty())
+        addFiles(layout, tr("Recent"), "start.recent", files, &StartPage::openRequested);
     layout->addStretch();
     addFooter(outer);
     connect(&thumbnails_, &SceneThumbnails::ready, this, &StartPage::showPicture);
@@ -114,7 +130,8 @@ void StartPage::addHeader(QVBoxLayout* layout) {
     layout->addLayout(row);
 }
 
-void StartPage::addFiles(QVBoxLayout* layout, const QString& title, const QString& name, const std::vector<std::filesystem::path>& files,
+void StartPage::addFiles(QVBoxLayout* layout, const QString& title, const QString& name,
+                         const std::vector<std::filesystem::path>& files,
                          void (StartPage::*signal)(const std::filesystem::path&)) {
     auto* heading = new QLabel(title, this);
     heading->setEnabled(false);
@@ -123,15 +140,19 @@ void StartPage::addFiles(QVBoxLayout* layout, const QString& title, const QStrin
     list->setObjectName(name);
     list->setAccessibleName(title);
     for (const auto& file : files) {
-        auto* item = new QListWidgetItem(QIcon(tile({}, devicePixelRatioF())), sceneTitle(file), list);
+        auto* item =
+            new QListWidgetItem(QIcon(tile({}, devicePixelRatioF())), sceneTitle(file), list);
         item->setData(Qt::UserRole, pathText(file));
         item->setToolTip(pathText(file));
     }
-    connect(list, &QListWidget::itemActivated, this, [this, signal](QListWidgetItem* item) { emit (this->*signal)(toPath(item->data(Qt::UserRole).toString())); });
+    connect(list, &QListWidget::itemActivated, this, [this, signal](QListWidgetItem* item) {
+        emit(this->*signal)(toPath(item->data(Qt::UserRole).toString()));
+    });
     connect(list, &QListWidget::itemClicked, list, &QListWidget::itemActivated);
     lists_.push_back(list);
     layout->addWidget(list);
-    for (auto file = files.rbegin(); file != files.rend(); ++file) thumbnails_.request(*file, kThumbnail * devicePixelRatioF());
+    for (auto file = files.rbegin(); file != files.rend(); ++file)
+        thumbnails_.request(*file, kThumbnail * devicePixelRatioF());
 }
 
 void StartPage::addFooter(QVBoxLayout* layout) {
@@ -155,8 +176,10 @@ void StartPage::showPicture(const std::filesystem::path& file, const QImage& pic
 }
 
 void StartPage::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape) emit closed();
-    else QFrame::keyPressEvent(event);
+    if (event->key() == Qt::Key_Escape)
+        emit closed();
+    else
+        QFrame::keyPressEvent(event);
 }
 
 }  // namespace glint

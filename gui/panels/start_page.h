@@ -1,4 +1,5 @@
-// StartPage: what an empty start shows over the picture: templates, demos with thumbnails, recent files, "drop a file here".
+// StartPage: what an empty start shows over the picture: templates, demos with thumbnails, recent
+// files, "drop a file here".
 #pragma once
 
 #include <QFrame>
@@ -32,7 +33,8 @@ class StartPage : public QFrame {
 
   private:
     void addHeader(QVBoxLayout* layout);
-    void addFiles(QVBoxLayout* layout, const QString& title, const QString& name, const std::vector<std::filesystem::path>& files,
+    void addFiles(QVBoxLayout* layout, const QString& title, const QString& name,
+                  const std::vector<std::filesystem::path>& files,
                   void (StartPage::*signal)(const std::filesystem::path&));
     void addFooter(QVBoxLayout* layout);
     void showPicture(const std::filesystem::path& file, const QImage& picture);
@@ -43,7 +45,8 @@ class StartPage : public QFrame {
 
 /// Scene files of a folder, by name.
 [[nodiscard]] std::vector<std::filesystem::path> sceneFiles(const std::filesystem::path& folder);
-/// "still_life.json" as a person reads it: "Still life", in their language where it is a demo or template.
+/// "still_life.json" as a person reads it: "Still life", in their language where it is a demo or
+/// template.
 [[nodiscard]] QString sceneTitle(const std::filesystem::path& file);
 
 }  // namespace glint

@@ -17,7 +17,8 @@ QString count(std::size_t n) { return QLocale().toString(static_cast<qulonglong>
 
 }  // namespace
 
-StatisticsPanel::StatisticsPanel(const Document& document, const Renderer& renderer, QWidget* parent)
+StatisticsPanel::StatisticsPanel(const Document& document, const Renderer& renderer,
+                                 QWidget* parent)
     : QWidget(parent), document_(document), renderer_(renderer) {
     setAccessibleName(tr("Statistics"));
     auto* form = new QFormLayout(this);
@@ -38,8 +39,12 @@ StatisticsPanel::StatisticsPanel(const Document& document, const Renderer& rende
     features_ = addRow(form, tr("The scene holds"));
     faulty_ = addRow(form, tr("Faulty samples"));
     features_->setWordWrap(true);
-    connect(&document, &Document::changed, this, [this] { if (isVisible()) showScene(); });
-    connect(&renderer, &Renderer::frameReady, this, [this] { if (isVisible()) showFrame(); });
+    connect(&document, &Document::changed, this, [this] {
+        if (isVisible()) showScene();
+    });
+    connect(&renderer, &Renderer::frameReady, this, [this] {
+        if (isVisible()) showFrame();
+    });
 }
 
 QLabel* StatisticsPanel::addRow(QFormLayout* form, const QString& name) {
@@ -67,7 +72,8 @@ void StatisticsPanel::showFrame() {
     size_->setText(tr("%1 × %2 px").arg(frame->width).arg(frame->height));
     samples_->setText(tr("%1 of %2").arg(frame->spp).arg(frame->sppTarget));
     time_->setText(tr("%1 s").arg(frame->seconds, 0, 'f', 1));
-    error_->setText(std::isfinite(frame->error) ? tr("± %1 %").arg(100 * frame->error, 0, 'g', 2) : QStringLiteral("—"));
+    error_->setText(std::isfinite(frame->error) ? tr("± %1 %").arg(100 * frame->error, 0, 'g', 2)
+                                                : QStringLiteral("—"));
     rays_->setText(tr("%1 million").arg(frame->raysPerSecond / 1e6, 0, 'f', 1));
     kernel_->setText(toQString(frame->kernel));
     QStringList features;

@@ -1,5 +1,6 @@
-// glint-field-words: writes the names, explanations and choices of all field tables and type lists as a source file that
-// lupdate reads, so that the tables stay the one place for them. The editor looks them up in the same contexts: see text.h.
+// glint-field-words: writes the names, explanations and choices of all field tables and type lists
+// as a source file that lupdate reads, so that the tables stay the one place for them. The editor
+// looks them up in the same contexts: see text.h.
 #include <cstdio>
 #include <set>
 #include <string>
@@ -14,7 +15,8 @@ namespace {
 void write(const char* context, std::string_view word) {
     static std::set<std::pair<std::string, std::string>> written;
     if (word.empty() || !written.emplace(context, word).second) return;
-    std::printf("QT_TRANSLATE_NOOP(\"%s\", R\"~(%.*s)~\")\n", context, static_cast<int>(word.size()), word.data());
+    std::printf("QT_TRANSLATE_NOOP(\"%s\", R\"~(%.*s)~\")\n", context,
+                static_cast<int>(word.size()), word.data());
 }
 
 template <class T>
@@ -27,7 +29,9 @@ void writeMember(const std::type_identity<T>&) {
         for (const std::string_view name : enumNames(T{})) write("Field", name);
 }
 template <class T>
-void writeMember(const std::type_identity<std::optional<T>>&) { writeMember(std::type_identity<T>()); }
+void writeMember(const std::type_identity<std::optional<T>>&) {
+    writeMember(std::type_identity<T>());
+}
 template <class... Ts>
 void writeMember(const std::type_identity<std::variant<Ts...>>&) {
     (write("Field", Ts::kind), ...);
@@ -37,11 +41,12 @@ void writeMember(const std::type_identity<std::variant<Ts...>>&) {
 template <class T>
 void writeTable() {
     T value{};
-    forEachField(value, []<class Member>(std::string_view name, const FieldMeta& meta, const Member&) {
-        write("Field", name);
-        write("FieldDoc", meta.doc);
-        writeMember(std::type_identity<Member>());
-    });
+    forEachField(value,
+                 []<class Member>(std::string_view name, const FieldMeta& meta, const Member&) {
+                     write("Field", name);
+                     write("FieldDoc", meta.doc);
+                     writeMember(std::type_identity<Member>());
+                 });
 }
 
 }  // namespace

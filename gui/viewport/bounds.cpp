@@ -19,7 +19,8 @@ void addRing(Points& out, double radius, double y) {
 
 void addCorners(Points& out, const DVec3& half) {
     for (int i = 0; i < 8; ++i)
-        out.push_back({i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
+        out.push_back(
+            {i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
 }
 
 Points pointsOf(const Sphere& s) {
@@ -61,7 +62,8 @@ Points pointsOf(const Torus& s) {
     Points out;
     for (int i = 0; i <= kRings; ++i) {
         const double angle = kPi * i / kRings - kPi / 2;
-        addRing(out, s.majorRadius + s.minorRadius * std::cos(angle), s.minorRadius * std::sin(angle));
+        addRing(out, s.majorRadius + s.minorRadius * std::cos(angle),
+                s.minorRadius * std::sin(angle));
     }
     return out;
 }
@@ -85,15 +87,19 @@ std::vector<DVec3> hullPoints(const Shape& shape) {
 
 Bounds boundsOf(const Scene& scene, const std::vector<Item>& items) {
     Bounds bounds;
-    for (const ObjectId id : objectsWithin(scene, items)) addObject(bounds, scene, scene.objects.at(id));
+    for (const ObjectId id : objectsWithin(scene, items))
+        addObject(bounds, scene, scene.objects.at(id));
     for (const Item item : items)
-        if (item.kind == ItemKind::Light || item.kind == ItemKind::Camera) bounds.add(worldFromItem(scene, item).translation);
+        if (item.kind == ItemKind::Light || item.kind == ItemKind::Camera)
+            bounds.add(worldFromItem(scene, item).translation);
     return bounds;
 }
 
 Bounds boundsOf(const Scene& scene) {
     Bounds bounds;
-    scene.objects.forEach([&](ObjectId, const Object& object) { if (isVisible(scene, object)) addObject(bounds, scene, object); });
+    scene.objects.forEach([&](ObjectId, const Object& object) {
+        if (isVisible(scene, object)) addObject(bounds, scene, object);
+    });
     scene.lights.forEach([&](LightId id, const Light& light) {
         if (light.visible && !std::holds_alternative<SunLight>(light.value))
             bounds.add(worldFromItem(scene, Item::of(id)).translation);

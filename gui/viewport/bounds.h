@@ -1,4 +1,5 @@
-// Bounds: an axis-aligned box in world space, and those of what a scene holds. Infinite planes have none.
+// Bounds: an axis-aligned box in world space, and those of what a scene holds. Infinite planes have
+// none.
 #pragma once
 
 #include <vector>
@@ -20,7 +21,8 @@ struct Bounds {
     }
 };
 
-/// Points on the surface whose convex hull covers the shape to about 1 %, in object space. Empty for an infinite plane.
+/// Points on the surface whose convex hull covers the shape to about 1 %, in object space. Empty
+/// for an infinite plane.
 [[nodiscard]] std::vector<DVec3> hullPoints(const Shape& shape);
 [[nodiscard]] Bounds boundsOf(const Scene& scene, const std::vector<Item>& items);
 /// Of all visible objects and lights.

@@ -16,24 +16,31 @@ struct Text {
 
 QString nameOf(Tool tool) {
     switch (tool) {
-        case Tool::Select: return Text::tr("Select");
-        case Tool::Move: return Text::tr("Move");
-        case Tool::Rotate: return Text::tr("Rotate");
-        case Tool::Scale: return Text::tr("Scale");
+        case Tool::Select:
+            return Text::tr("Select");
+        case Tool::Move:
+            return Text::tr("Move");
+        case Tool::Rotate:
+            return Text::tr("Rotate");
+        case Tool::Scale:
+            return Text::tr("Scale");
     }
     return {};
 }
 
 QString amountOf(Tool tool, const GizmoChange& change) {
-    if (tool == Tool::Rotate) return shortNumber(radiansToDegrees(change.angle)) + QStringLiteral("°");
+    if (tool == Tool::Rotate)
+        return shortNumber(radiansToDegrees(change.angle)) + QStringLiteral("°");
     const DVec3& v = tool == Tool::Move ? change.translation : change.scale;
     const auto rounded = [](double x) { return QString::number(x, 'f', 3); };
-    return QStringLiteral("%1, %2, %3%4").arg(rounded(v.x), rounded(v.y), rounded(v.z), tool == Tool::Move ? " m" : "");
+    return QStringLiteral("%1, %2, %3%4")
+        .arg(rounded(v.x), rounded(v.y), rounded(v.z), tool == Tool::Move ? " m" : "");
 }
 
 }  // namespace
 
-GizmoGesture::GizmoGesture(ViewContext& context, Handle handle, const GizmoFrame& frame, const QPointF& start)
+GizmoGesture::GizmoGesture(ViewContext& context, Handle handle, const GizmoFrame& frame,
+                           const QPointF& start)
     : Gesture(context),
       drag_(context.tools.tool, handle, frame, context.projection(), start),
       frame_(frame),
@@ -42,7 +49,8 @@ GizmoGesture::GizmoGesture(ViewContext& context, Handle handle, const GizmoFrame
       text_(nameOf(context.tools.tool)),
       pointer_{start, {}} {}
 
-GizmoGesture::GizmoGesture(ViewContext& context, const GizmoFrame& frame, const QPointF& start, Scene base, const QString& text)
+GizmoGesture::GizmoGesture(ViewContext& context, const GizmoFrame& frame, const QPointF& start,
+                           Scene base, const QString& text)
     : Gesture(context),
       drag_(Tool::Move, Handle::Free, frame, context.projection(), start),
       frame_(frame),
@@ -68,7 +76,8 @@ void GizmoGesture::show() {
     Scene scene = base_;
     for (const Item item : items_) {
         const Affine world = worldFromItem(base_, item);
-        const DVec3 pivot = context_.tools.pivot == Pivot::Individual ? world.translation : frame_.origin;
+        const DVec3 pivot =
+            context_.tools.pivot == Pivot::Individual ? world.translation : frame_.origin;
         const Affine step = toAffine(now, pivot, frame_.axes);
         if (!(step == Affine{})) scene = transformed(std::move(scene), item, step);
     }
@@ -80,15 +89,26 @@ void GizmoGesture::finish(const Pointer&) { context_.document.commitPreview(text
 void GizmoGesture::cancel() { context_.document.cancelPreview(); }
 
 bool GizmoGesture::keyPressed(const QKeyEvent& event) {
-    const auto lock = [&](Handle handle) { drag_.setHandle(drag_.handle() == handle ? Handle::Free : handle); };
+    const auto lock = [&](Handle handle) {
+        drag_.setHandle(drag_.handle() == handle ? Handle::Free : handle);
+    };
     const QString text = event.text();
     switch (event.key()) {
-        case Qt::Key_X: lock(Handle::X); break;
-        case Qt::Key_Y: lock(Handle::Y); break;
-        case Qt::Key_Z: lock(Handle::Z); break;
-        case Qt::Key_Backspace: typed_.chop(1); break;
+        case Qt::Key_X:
+            lock(Handle::X);
+            break;
+        case Qt::Key_Y:
+            lock(Handle::Y);
+            break;
+        case Qt::Key_Z:
+            lock(Handle::Z);
+            break;
+        case Qt::Key_Backspace:
+            typed_.chop(1);
+            break;
         case Qt::Key_Control:
-        case Qt::Key_Shift: break;
+        case Qt::Key_Shift:
+            break;
         default:
             if (text.size() != 1 || !QStringLiteral("0123456789.-").contains(text)) return false;
             typed_ += text;
@@ -99,14 +119,19 @@ bool GizmoGesture::keyPressed(const QKeyEvent& event) {
 }
 
 QString GizmoGesture::readout() const {
-    const QString axis = QStringLiteral(" XYZ").mid(axisOf(drag_.handle()).value_or(-1) + 1, 1).trimmed();
-    const QString amount = typed_.isEmpty() ? amountOf(drag_.tool(), change()) : typed_ + QStringLiteral("▏");
+    const QString axis =
+        QStringLiteral(" XYZ").mid(axisOf(drag_.handle()).value_or(-1) + 1, 1).trimmed();
+    const QString amount =
+        typed_.isEmpty() ? amountOf(drag_.tool(), change()) : typed_ + QStringLiteral("▏");
     return QStringLiteral("%1 %2 %3").arg(nameOf(drag_.tool()), axis, amount).simplified();
 }
 
-SelectGesture::SelectGesture(ViewContext& context, const Pointer& start) : Gesture(context), start_(start), last_(start.at) {}
+SelectGesture::SelectGesture(ViewContext& context, const Pointer& start)
+    : Gesture(context), start_(start), last_(start.at) {}
 
-bool SelectGesture::isBox() const { return (last_ - start_.at).manhattanLength() >= QApplication::startDragDistance(); }
+bool SelectGesture::isBox() const {
+    return (last_ - start_.at).manhattanLength() >= QApplication::startDragDistance();
+}
 
 void SelectGesture::move(const Pointer& pointer) { last_ = pointer.at; }
 
@@ -116,9 +141,12 @@ void SelectGesture::finish(const Pointer& pointer) {
     Selection& selection = context_.selection;
     if (!isBox()) {
         const auto item = context_.itemAt(start_.at);
-        if (item && extend) selection.toggle(*item);
-        else if (item) selection.set({*item});
-        else if (!extend) selection.clear();
+        if (item && extend)
+            selection.toggle(*item);
+        else if (item)
+            selection.set({*item});
+        else if (!extend)
+            selection.clear();
         return;
     }
     std::vector<Item> items = extend ? selection.items() : std::vector<Item>();

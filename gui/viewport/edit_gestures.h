@@ -7,12 +7,16 @@
 
 namespace glint {
 
-/// Moves, turns or scales the selected items. X Y Z lock to an axis, digits type a number, Enter ends, Escape takes back.
+/// Moves, turns or scales the selected items. X Y Z lock to an axis, digits type a number, Enter
+/// ends, Escape takes back.
 class GizmoGesture : public Gesture {
   public:
-    GizmoGesture(ViewContext& context, Handle handle, const GizmoFrame& frame, const QPointF& start);
-    /// Changes items of `base`, which is previewed: new ones that shall stay with the same undo step, named `text`.
-    GizmoGesture(ViewContext& context, const GizmoFrame& frame, const QPointF& start, Scene base, const QString& text);
+    GizmoGesture(ViewContext& context, Handle handle, const GizmoFrame& frame,
+                 const QPointF& start);
+    /// Changes items of `base`, which is previewed: new ones that shall stay with the same undo
+    /// step, named `text`.
+    GizmoGesture(ViewContext& context, const GizmoFrame& frame, const QPointF& start, Scene base,
+                 const QString& text);
 
     void move(const Pointer& pointer) override;
     void finish(const Pointer& pointer) override;

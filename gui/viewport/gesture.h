@@ -1,5 +1,5 @@
-// Gesture: what the pointer is doing in the viewport, from press to release. One at a time. finish() keeps what was done,
-// cancel() takes it back.
+// Gesture: what the pointer is doing in the viewport, from press to release. One at a time.
+// finish() keeps what was done, cancel() takes it back.
 #pragma once
 
 #include <QKeyEvent>

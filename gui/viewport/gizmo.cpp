@@ -26,13 +26,15 @@ double worldLength(const ViewProjection& view, const GizmoFrame& frame) {
 double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b) {
     const QPointF d = b - a;
     const double squared = QPointF::dotProduct(d, d);
-    const double t = squared > 0 ? std::clamp(QPointF::dotProduct(p - a, d) / squared, 0.0, 1.0) : 0;
+    const double t =
+        squared > 0 ? std::clamp(QPointF::dotProduct(p - a, d) / squared, 0.0, 1.0) : 0;
     return QLineF(p, a + d * t).length();
 }
 
 double distanceToPolyline(const QPointF& p, const QPolygonF& line) {
     double best = kInfinity;
-    for (qsizetype i = 0; i + 1 < line.size(); ++i) best = std::min(best, distanceToSegment(p, line[i], line[i + 1]));
+    for (qsizetype i = 0; i + 1 < line.size(); ++i)
+        best = std::min(best, distanceToSegment(p, line[i], line[i + 1]));
     return best;
 }
 
@@ -50,7 +52,9 @@ std::optional<DVec3> onPlane(const ViewRay& ray, const DVec3& origin, const DVec
     return ray.origin + ray.direction * (glm::dot(origin - ray.origin, normal) / d);
 }
 
-double snapped(double value, double step, bool snap) { return snap ? std::round(value / step) * step : value; }
+double snapped(double value, double step, bool snap) {
+    return snap ? std::round(value / step) * step : value;
+}
 
 constexpr std::array kAxes = {Handle::X, Handle::Y, Handle::Z};
 constexpr std::array kPlanes = {Handle::YZ, Handle::ZX, Handle::XY};
@@ -103,18 +107,21 @@ std::optional<int> planeNormalOf(Handle handle) {
 }
 
 std::optional<QPointF> axisEnd(const ViewProjection& view, const GizmoFrame& frame, int axis) {
-    if (std::abs(glm::dot(frame.axes[axis], view.towardsViewer(frame.origin))) > kAlongView) return std::nullopt;
+    if (std::abs(glm::dot(frame.axes[axis], view.towardsViewer(frame.origin))) > kAlongView)
+        return std::nullopt;
     return view.project(frame.origin + frame.axes[axis] * worldLength(view, frame));
 }
 
 QPolygonF planeSquare(const ViewProjection& view, const GizmoFrame& frame, Handle handle) {
     const int normal = planeNormalOf(handle).value_or(0);
-    if (std::abs(glm::dot(frame.axes[normal], view.towardsViewer(frame.origin))) < kFlatRing) return {};
+    if (std::abs(glm::dot(frame.axes[normal], view.towardsViewer(frame.origin))) < kFlatRing)
+        return {};
     const double length = worldLength(view, frame);
-    const DVec3 a = frame.axes[(normal + 1) % 3] * length, b = frame.axes[(normal + 2) % 3] * length;
+    const DVec3 a = frame.axes[(normal + 1) % 3] * length,
+                b = frame.axes[(normal + 2) % 3] * length;
     QPolygonF out;
-    for (const auto& [u, v] : {std::pair(kPlaneFrom, kPlaneFrom), std::pair(kPlaneTo, kPlaneFrom), std::pair(kPlaneTo, kPlaneTo),
-                               std::pair(kPlaneFrom, kPlaneTo)}) {
+    for (const auto& [u, v] : {std::pair(kPlaneFrom, kPlaneFrom), std::pair(kPlaneTo, kPlaneFrom),
+                               std::pair(kPlaneTo, kPlaneTo), std::pair(kPlaneFrom, kPlaneTo)}) {
         const auto corner = view.project(frame.origin + a * u + b * v);
         if (!corner) return {};
         out << *corner;
@@ -127,7 +134,8 @@ QPolygonF ring(const ViewProjection& view, const GizmoFrame& frame, Handle handl
     const DVec3 viewer = view.towardsViewer(frame.origin);
     const DVec3 normal = axis ? frame.axes[*axis] : viewer;
     const DVec3 helper = axis ? frame.axes[(*axis + 1) % 3] : view.axes().up;
-    const DVec3 u = glm::normalize(helper - normal * glm::dot(helper, normal)), v = glm::cross(normal, u);
+    const DVec3 u = glm::normalize(helper - normal * glm::dot(helper, normal)),
+                v = glm::cross(normal, u);
     const double radius = worldLength(view, frame) * (axis ? kRingScale : kFreeRingScale);
     // Start where the ring is farthest from the viewer, so that the front half is one piece.
     const double back = axis ? std::atan2(glm::dot(v, -viewer), glm::dot(u, -viewer)) : 0;
@@ -159,7 +167,8 @@ Handle handleAt(const ViewProjection& view, const GizmoFrame& frame, Tool tool, 
     return best;
 }
 
-GizmoDrag::GizmoDrag(Tool tool, Handle handle, const GizmoFrame& frame, const ViewProjection& view, const QPointF& start)
+GizmoDrag::GizmoDrag(Tool tool, Handle handle, const GizmoFrame& frame, const ViewProjection& view,
+                     const QPointF& start)
     : tool_(tool), handle_(handle), frame_(frame), view_(view), start_(start) {}
 
 GizmoChange GizmoDrag::change(const Input& input) const {
@@ -167,16 +176,19 @@ GizmoChange GizmoDrag::change(const Input& input) const {
     const GizmoSnap snap;
     GizmoChange out;
     switch (tool_) {
-        case Tool::Select: break;
+        case Tool::Select:
+            break;
         case Tool::Move: {
             // Snap along the frame's axes, so that a locked drag moves by whole steps.
             const DVec3 local = glm::transpose(frame_.axes) * translation(at);
-            for (int i = 0; i < 3; ++i) out.translation += frame_.axes[i] * snapped(local[i], snap.metres, input.snap);
+            for (int i = 0; i < 3; ++i)
+                out.translation += frame_.axes[i] * snapped(local[i], snap.metres, input.snap);
             break;
         }
         case Tool::Rotate:
             out.axis = rotationAxis();
-            out.angle = degreesToRadians(snapped(radiansToDegrees(angle(at)), snap.degrees, input.snap));
+            out.angle =
+                degreesToRadians(snapped(radiansToDegrees(angle(at)), snap.degrees, input.snap));
             break;
         case Tool::Scale: {
             const double f = snapped(factor(at), snap.factor, input.snap);
@@ -209,7 +221,8 @@ DVec3 GizmoDrag::translation(const QPointF& at) const {
     }
     const auto across = planeNormalOf(handle_);
     const DVec3 normal = across ? frame_.axes[*across] : view_.axes().forward;
-    const auto from = onPlane(view_.ray(start_), frame_.origin, normal), to = onPlane(view_.ray(at), frame_.origin, normal);
+    const auto from = onPlane(view_.ray(start_), frame_.origin, normal),
+               to = onPlane(view_.ray(at), frame_.origin, normal);
     return from && to ? *to - *from : DVec3(0.0);
 }
 
@@ -232,7 +245,8 @@ double GizmoDrag::angle(const QPointF& at) const {
         return length > 0 ? QPointF::dotProduct(at - start_, tangent) / length / kGizmoLength : 0;
     }
     const QPointF a = start_ - *center, b = at - *center;
-    // The screen's y points down: an angle that grows clockwise there is negative about an axis towards the viewer.
+    // The screen's y points down: an angle that grows clockwise there is negative about an axis
+    // towards the viewer.
     const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), QPointF::dotProduct(a, b));
     return facing > 0 ? -turn : turn;
 }
@@ -250,8 +264,10 @@ double GizmoDrag::factor(const QPointF& at) const {
 GizmoChange GizmoDrag::scaledBy(double f) const {
     GizmoChange out;
     const auto axis = axisOf(handle_);
-    if (axis) out.scale[*axis] = f;
-    else out.scale = DVec3(f);
+    if (axis)
+        out.scale[*axis] = f;
+    else
+        out.scale = DVec3(f);
     return out;
 }
 

@@ -1,5 +1,6 @@
-// Gizmo: the handles to move, turn and scale the selection, as pure math: where they are, which one is under the pointer, and
-// what a drag from one point to another means. Painting is in gizmo_painter.h.
+// Gizmo: the handles to move, turn and scale the selection, as pure math: where they are, which one
+// is under the pointer, and what a drag from one point to another means. Painting is in
+// gizmo_painter.h.
 #pragma once
 
 #include <QPointF>
@@ -12,8 +13,8 @@ namespace glint {
 
 enum class Tool { Select, Move, Rotate, Scale };
 
-/// What is dragged. Axis and plane handles go with the frame's axes; Free is the plane of the screen (move), the ring
-/// around the view axis (rotate), or all axes alike (scale).
+/// What is dragged. Axis and plane handles go with the frame's axes; Free is the plane of the
+/// screen (move), the ring around the view axis (rotate), or all axes alike (scale).
 enum class Handle { None, X, Y, Z, YZ, ZX, XY, Free };
 
 /// Where the gizmo stands.
@@ -41,13 +42,17 @@ inline constexpr double kGizmoLength = 80;
 /// The axis across a plane handle.
 [[nodiscard]] std::optional<int> planeNormalOf(Handle handle);
 /// End of an axis handle on the screen.
-[[nodiscard]] std::optional<QPointF> axisEnd(const ViewProjection& view, const GizmoFrame& frame, int axis);
+[[nodiscard]] std::optional<QPointF> axisEnd(const ViewProjection& view, const GizmoFrame& frame,
+                                             int axis);
 /// The square of a plane handle on the screen; empty where it is seen edge on.
-[[nodiscard]] QPolygonF planeSquare(const ViewProjection& view, const GizmoFrame& frame, Handle handle);
-/// The half of a turning ring that faces the viewer, as points on the screen; Free is the whole ring around all.
+[[nodiscard]] QPolygonF planeSquare(const ViewProjection& view, const GizmoFrame& frame,
+                                    Handle handle);
+/// The half of a turning ring that faces the viewer, as points on the screen; Free is the whole
+/// ring around all.
 [[nodiscard]] QPolygonF ring(const ViewProjection& view, const GizmoFrame& frame, Handle handle);
 /// The handle under the pointer.
-[[nodiscard]] Handle handleAt(const ViewProjection& view, const GizmoFrame& frame, Tool tool, const QPointF& at);
+[[nodiscard]] Handle handleAt(const ViewProjection& view, const GizmoFrame& frame, Tool tool,
+                              const QPointF& at);
 
 struct GizmoSnap {
     double metres = 0.1, degrees = 15, factor = 0.1;
@@ -56,7 +61,8 @@ struct GizmoSnap {
 /// One drag. Feed it pointer positions or typed numbers.
 class GizmoDrag {
   public:
-    GizmoDrag(Tool tool, Handle handle, const GizmoFrame& frame, const ViewProjection& view, const QPointF& start);
+    GizmoDrag(Tool tool, Handle handle, const GizmoFrame& frame, const ViewProjection& view,
+              const QPointF& start);
 
     [[nodiscard]] Handle handle() const { return handle_; }
     [[nodiscard]] Tool tool() const { return tool_; }
@@ -69,7 +75,8 @@ class GizmoDrag {
         bool fine = false;  ///< a tenth of the motion
     };
     [[nodiscard]] GizmoChange change(const Input& input) const;
-    /// The change for a typed number: metres, degrees or a factor. Free moves along the view's right.
+    /// The change for a typed number: metres, degrees or a factor. Free moves along the view's
+    /// right.
     [[nodiscard]] GizmoChange typed(double number) const;
 
   private:

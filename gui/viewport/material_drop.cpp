@@ -15,7 +15,8 @@ MaterialDrop::MaterialDrop(RenderView& view) : QObject(&view), view_(view) {
 
 std::optional<ObjectId> MaterialDrop::objectAt(const QPointF& at) const {
     const auto item = view_.context().itemAt(at);
-    return item && item->kind == ItemKind::Object ? std::optional(ObjectId{item->id}) : std::nullopt;
+    return item && item->kind == ItemKind::Object ? std::optional(ObjectId{item->id})
+                                                  : std::nullopt;
 }
 
 void MaterialDrop::hover(const QPointF& at, MaterialId material) {
@@ -47,8 +48,10 @@ bool MaterialDrop::eventFilter(QObject* watched, QEvent* event) {
     auto* moved = static_cast<QDropEvent*>(event);
     const auto material = draggedMaterial(moved->mimeData(), view_.context().document.committed());
     if (!material) return QObject::eventFilter(watched, event);
-    if (drag) hover(moved->position(), *material);
-    else drop(moved->position(), *material);
+    if (drag)
+        hover(moved->position(), *material);
+    else
+        drop(moved->position(), *material);
     moved->setDropAction(Qt::CopyAction);
     moved->accept();
     return true;

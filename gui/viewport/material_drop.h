@@ -1,4 +1,5 @@
-// MaterialDrop: lets a dragged material fall onto the object under the pointer; while it hovers, the picture shows it there.
+// MaterialDrop: lets a dragged material fall onto the object under the pointer; while it hovers,
+// the picture shows it there.
 #pragma once
 
 #include <QObject>

@@ -20,9 +20,11 @@ DVec3 rotatedAbout(const DVec3& v, const DVec3& axis, double angle) {
 /// The part of `pitch` that keeps the view off the poles.
 double allowedPitch(const Camera& camera, double pitch) {
     const DVec3 up = glm::normalize(camera.up);
-    const double elevation = std::asin(std::clamp(glm::dot(cameraAxes(camera).forward, up), -1.0, 1.0));
+    const double elevation =
+        std::asin(std::clamp(glm::dot(cameraAxes(camera).forward, up), -1.0, 1.0));
     const double limit = kPi / 2 - kPoleMargin;
-    return std::clamp(elevation + pitch, std::min(-limit, elevation), std::max(limit, elevation)) - elevation;
+    return std::clamp(elevation + pitch, std::min(-limit, elevation), std::max(limit, elevation)) -
+           elevation;
 }
 
 }  // namespace
@@ -38,11 +40,14 @@ Camera orbited(Camera camera, const DVec3& pivot, double yaw, double pitch) {
     return camera;
 }
 
-Camera turned(Camera camera, double yaw, double pitch) { return orbited(camera, camera.position, yaw, pitch); }
+Camera turned(Camera camera, double yaw, double pitch) {
+    return orbited(camera, camera.position, yaw, pitch);
+}
 
 Camera moved(Camera camera, const DVec3& rightUpForward) {
     const CameraAxes axes = cameraAxes(camera);
-    const DVec3 step = axes.right * rightUpForward.x + axes.up * rightUpForward.y + axes.forward * rightUpForward.z;
+    const DVec3 step = axes.right * rightUpForward.x + axes.up * rightUpForward.y +
+                       axes.forward * rightUpForward.z;
     camera.position += step;
     camera.target += step;
     return camera;
@@ -70,7 +75,8 @@ Camera framed(Camera camera, const Bounds& bounds, double aspect) {
     constexpr double kMargin = 1.15;
     const DVec3 forward = cameraAxes(camera).forward;
     const double radius = std::max(1e-3, bounds.radius()) * kMargin, narrow = std::min(1.0, aspect);
-    const double halfAngle = std::atan(std::tan(degreesToRadians(camera.verticalFovDegrees) / 2) * narrow);
+    const double halfAngle =
+        std::atan(std::tan(degreesToRadians(camera.verticalFovDegrees) / 2) * narrow);
     const double distance = radius / std::sin(std::min(halfAngle, kPi / 2));
     camera.target = bounds.center();
     camera.position = camera.target - forward * distance;

@@ -86,9 +86,11 @@ class EnvironmentGesture : public Gesture {
     QPointF start_;
 };
 
-/// The point that a wheel or drag at `at` goes about: the surface there, else at the depth of the camera's target.
+/// The point that a wheel or drag at `at` goes about: the surface there, else at the depth of the
+/// camera's target.
 [[nodiscard]] DVec3 focusPoint(const ViewContext& context, const QPointF& at);
-/// The point that an orbit begun at a pixel turns about: as the person likes it, see NavigationOptions.
+/// The point that an orbit begun at a pixel turns about: as the person likes it, see
+/// NavigationOptions.
 [[nodiscard]] DVec3 orbitCenter(const ViewContext& context, const QPointF& at);
 
 }  // namespace glint

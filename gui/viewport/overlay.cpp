@@ -49,11 +49,13 @@ void drawWithHalo(QPainter& painter, const QColor& color, double width, Draw&& d
 QString glyphName(const Scene& scene, Item item) {
     if (item.kind == ItemKind::Camera) return QStringLiteral("camera");
     const auto& light = scene.lights.at(LightId{item.id}).value;
-    return "light-" + QString::fromUtf8(kindOf(light).data(), static_cast<qsizetype>(kindOf(light).size()));
+    return "light-" +
+           QString::fromUtf8(kindOf(light).data(), static_cast<qsizetype>(kindOf(light).size()));
 }
 
 QColor colorOf(const std::vector<Item>& selected, Item item) {
-    if (selected.empty() || std::find(selected.begin(), selected.end(), item) == selected.end()) return {220, 220, 220};
+    if (selected.empty() || std::find(selected.begin(), selected.end(), item) == selected.end())
+        return {220, 220, 220};
     return selected.back() == item ? kColors.active : kColors.selected;
 }
 
@@ -61,10 +63,13 @@ QColor colorOf(const std::vector<Item>& selected, Item item) {
 
 QPolygonF convexHull(std::vector<QPointF> points) {
     if (points.size() < 3) return {};
-    std::sort(points.begin(), points.end(), [](const QPointF& a, const QPointF& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+    std::sort(points.begin(), points.end(), [](const QPointF& a, const QPointF& b) {
+        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    });
     QPolygonF hull;
     const auto add = [&](const QPointF& p, qsizetype keep) {
-        while (hull.size() >= keep + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0) hull.removeLast();
+        while (hull.size() >= keep + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0)
+            hull.removeLast();
         hull << p;
     };
     for (const QPointF& p : points) add(p, 0);
@@ -85,13 +90,15 @@ QPolygonF outlineOf(const Scene& scene, const Object& object, const ViewProjecti
 
 void paintGrid(QPainter& painter, const ViewProjection& view, const DVec3& around) {
     constexpr int kLines = 20;
-    const double step = std::pow(10.0, std::round(std::log10(std::max(1e-6, view.metresPerPixel(around) * 60))));
+    const double step =
+        std::pow(10.0, std::round(std::log10(std::max(1e-6, view.metresPerPixel(around) * 60))));
     const DVec3 center(std::round(around.x / step) * step, 0, std::round(around.z / step) * step);
     const double reach = kLines * step;
     for (int i = -kLines; i <= kLines; ++i) {
         const double x = center.x + i * step, z = center.z + i * step;
         const auto pen = [&](double coordinate, const QColor& axis) {
-            painter.setPen(std::abs(coordinate) < step / 2 ? QPen(axis, 1) : QPen(QColor(255, 255, 255, 38), 1));
+            painter.setPen(std::abs(coordinate) < step / 2 ? QPen(axis, 1)
+                                                           : QPen(QColor(255, 255, 255, 38), 1));
         };
         pen(x, kColors.axes[2]);
         drawLine(painter, view, {x, 0, center.z - reach}, {x, 0, center.z + reach});
@@ -103,7 +110,8 @@ void paintGrid(QPainter& painter, const ViewProjection& view, const DVec3& aroun
 std::vector<Glyph> glyphsOf(const Scene& scene, const ViewProjection& view) {
     std::vector<Glyph> out;
     const auto add = [&](Item item) {
-        if (const auto at = view.project(worldFromItem(scene, item).translation)) out.push_back({item, *at});
+        if (const auto at = view.project(worldFromItem(scene, item).translation))
+            out.push_back({item, *at});
     };
     scene.lights.forEach([&](LightId id, const Light& light) {
         const auto* sun = std::get_if<SunLight>(&light.value);
@@ -112,9 +120,13 @@ std::vector<Glyph> glyphsOf(const Scene& scene, const ViewProjection& view) {
         constexpr double kFar = 1e6;  // metres
         const double length = glm::length(sun->direction);
         if (length > 0)
-            if (const auto at = view.project(scene.viewCamera().position - sun->direction * (kFar / length))) out.push_back({Item::of(id), *at});
+            if (const auto at =
+                    view.project(scene.viewCamera().position - sun->direction * (kFar / length)))
+                out.push_back({Item::of(id), *at});
     });
-    scene.cameras.forEach([&](CameraId id, const Camera&) { if (id != scene.activeCamera) add(Item::of(id)); });
+    scene.cameras.forEach([&](CameraId id, const Camera&) {
+        if (id != scene.activeCamera) add(Item::of(id));
+    });
     return out;
 }
 
@@ -124,7 +136,8 @@ std::optional<Item> glyphAt(const Scene& scene, const ViewProjection& view, cons
     return std::nullopt;
 }
 
-void paintGlyphs(QPainter& painter, const Scene& scene, const std::vector<Item>& selected, const ViewProjection& view) {
+void paintGlyphs(QPainter& painter, const Scene& scene, const std::vector<Item>& selected,
+                 const ViewProjection& view) {
     for (const Glyph& glyph : glyphsOf(scene, view)) {
         const QColor color = colorOf(selected, glyph.item);
         painter.setPen(QPen(color, 1.5));
@@ -133,7 +146,8 @@ void paintGlyphs(QPainter& painter, const Scene& scene, const std::vector<Item>&
         const QRectF square(glyph.at - QPointF(8, 8), QSizeF(16, 16));
         drawIcon(painter, glyphName(scene, glyph.item), square, color);
         if (glyph.item.kind != ItemKind::Light) continue;
-        if (const auto* spot = std::get_if<SpotLight>(&scene.lights.at(LightId{glyph.item.id}).value)) {
+        if (const auto* spot =
+                std::get_if<SpotLight>(&scene.lights.at(LightId{glyph.item.id}).value)) {
             painter.setPen(QPen(color, 1, Qt::DashLine));
             drawLine(painter, view, spot->position, spot->target);
         }
@@ -142,11 +156,13 @@ void paintGlyphs(QPainter& painter, const Scene& scene, const std::vector<Item>&
 
 void paintSafeFrame(QPainter& painter, const FilmSettings& film, const ViewProjection& view) {
     const QRectF all(0, 0, view.width(), view.height());
-    QRectF frame(QPointF(), QSizeF(film.width, film.height).scaled(all.size(), Qt::KeepAspectRatio));
+    QRectF frame(QPointF(),
+                 QSizeF(film.width, film.height).scaled(all.size(), Qt::KeepAspectRatio));
     frame.moveCenter(all.center());
     // Whole pixels without smoothing: nothing else that is drawn over the picture is as large.
     painter.setRenderHint(QPainter::Antialiasing, false);
-    for (const QRect& strip : QRegion(all.toAlignedRect()) - QRegion(frame.toRect())) painter.fillRect(strip, QColor(0, 0, 0, 90));
+    for (const QRect& strip : QRegion(all.toAlignedRect()) - QRegion(frame.toRect()))
+        painter.fillRect(strip, QColor(0, 0, 0, 90));
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(255, 255, 255, 90), 1));
@@ -159,23 +175,30 @@ void paintAxesCorner(QPainter& painter, const ViewProjection& view) {
     for (int i = 0; i < 3; ++i) {
         DVec3 axis(0.0);
         axis[i] = 1;
-        const QPointF end = center + 24 * QPointF(glm::dot(axis, view.axes().right), -glm::dot(axis, view.axes().up));
+        const QPointF end = center + 24 * QPointF(glm::dot(axis, view.axes().right),
+                                                  -glm::dot(axis, view.axes().up));
         drawWithHalo(painter, kColors.axes[i], 2, [&] { painter.drawLine(center, end); });
         painter.setPen(kColors.axes[i]);
-        painter.drawText(QRectF(end - QPointF(8, 8), QSizeF(16, 16)).translated((end - center) / 3), Qt::AlignCenter, names.mid(i, 1));
+        painter.drawText(QRectF(end - QPointF(8, 8), QSizeF(16, 16)).translated((end - center) / 3),
+                         Qt::AlignCenter, names.mid(i, 1));
     }
 }
 
-void paintGizmo(QPainter& painter, const ViewProjection& view, const GizmoFrame& frame, Tool tool, Handle hovered) {
+void paintGizmo(QPainter& painter, const ViewProjection& view, const GizmoFrame& frame, Tool tool,
+                Handle hovered) {
     const auto origin = view.project(frame.origin);
     if (!origin || tool == Tool::Select) return;
-    const auto colorFor = [&](Handle handle, const QColor& own) { return handle == hovered ? kColors.hovered : own; };
+    const auto colorFor = [&](Handle handle, const QColor& own) {
+        return handle == hovered ? kColors.hovered : own;
+    };
     const Handle axes[] = {Handle::X, Handle::Y, Handle::Z};
     painter.setBrush(Qt::NoBrush);
     if (tool == Tool::Rotate) {
-        drawWithHalo(painter, colorFor(Handle::Free, kColors.handle), 1.5, [&] { painter.drawPolyline(ring(view, frame, Handle::Free)); });
+        drawWithHalo(painter, colorFor(Handle::Free, kColors.handle), 1.5,
+                     [&] { painter.drawPolyline(ring(view, frame, Handle::Free)); });
         for (int i = 0; i < 3; ++i)
-            drawWithHalo(painter, colorFor(axes[i], kColors.axes[i]), 2.5, [&] { painter.drawPolyline(ring(view, frame, axes[i])); });
+            drawWithHalo(painter, colorFor(axes[i], kColors.axes[i]), 2.5,
+                         [&] { painter.drawPolyline(ring(view, frame, axes[i])); });
         return;
     }
     const Handle planes[] = {Handle::YZ, Handle::ZX, Handle::XY};
@@ -194,8 +217,10 @@ void paintGizmo(QPainter& painter, const ViewProjection& view, const GizmoFrame&
         drawWithHalo(painter, color, 2.5, [&] { painter.drawLine(*origin, *end); });
         painter.setPen(QPen(QColor(0, 0, 0, 140), 1));
         painter.setBrush(color);
-        if (tool == Tool::Scale) painter.drawRect(QRectF(*end - QPointF(5, 5), QSizeF(10, 10)));
-        else painter.drawEllipse(*end, 5.5, 5.5);
+        if (tool == Tool::Scale)
+            painter.drawRect(QRectF(*end - QPointF(5, 5), QSizeF(10, 10)));
+        else
+            painter.drawEllipse(*end, 5.5, 5.5);
     }
     painter.setPen(QPen(QColor(0, 0, 0, 140), 1));
     painter.setBrush(colorFor(Handle::Free, kColors.handle));

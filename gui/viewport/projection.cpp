@@ -14,7 +14,8 @@ CameraAxes cameraAxes(const Camera& camera) {
 }
 
 Camera fittedCamera(Camera camera, const FilmSettings& film, double width, double height) {
-    const double narrower = static_cast<double>(film.width) / film.height * height / std::max(1.0, width);
+    const double narrower =
+        static_cast<double>(film.width) / film.height * height / std::max(1.0, width);
     if (!(narrower > 1)) return camera;
     // The film's width must fit: see more above and below.
     const double halfTan = std::tan(degreesToRadians(camera.verticalFovDegrees) / 2) * narrower;
@@ -27,7 +28,8 @@ ViewProjection::ViewProjection(const Camera& camera, double width, double height
     : axes_(cameraAxes(camera)),
       position_(camera.position),
       perspective_(camera.projection == Projection::Perspective),
-      halfHeight_(perspective_ ? std::tan(degreesToRadians(camera.verticalFovDegrees) / 2) : camera.orthoHeight / 2),
+      halfHeight_(perspective_ ? std::tan(degreesToRadians(camera.verticalFovDegrees) / 2)
+                               : camera.orthoHeight / 2),
       width_(std::max(1.0, width)),
       height_(std::max(1.0, height)) {}
 
@@ -38,12 +40,14 @@ std::optional<QPointF> ViewProjection::project(const DVec3& point) const {
     constexpr double kNearest = 1e-6;
     if (perspective_ && z < kNearest) return std::nullopt;
     const double scale = height_ / 2 / (halfHeight_ * (perspective_ ? z : 1));
-    return QPointF(width_ / 2 + glm::dot(d, axes_.right) * scale, height_ / 2 - glm::dot(d, axes_.up) * scale);
+    return QPointF(width_ / 2 + glm::dot(d, axes_.right) * scale,
+                   height_ / 2 - glm::dot(d, axes_.up) * scale);
 }
 
 ViewRay ViewProjection::ray(const QPointF& pixel) const {
     const double scale = halfHeight_ / (height_ / 2);
-    const DVec3 offset = axes_.right * ((pixel.x() - width_ / 2) * scale) - axes_.up * ((pixel.y() - height_ / 2) * scale);
+    const DVec3 offset = axes_.right * ((pixel.x() - width_ / 2) * scale) -
+                         axes_.up * ((pixel.y() - height_ / 2) * scale);
     if (perspective_) return {position_, glm::normalize(axes_.forward + offset)};
     return {position_ + offset, axes_.forward};
 }

@@ -7,17 +7,21 @@ namespace glint {
 QRectF RegionGesture::region() const {
     const QRectF view = context_.widget.rect();
     const QRectF box = QRectF(start_, last_).normalized() & view;
-    return {box.x() / view.width(), box.y() / view.height(), box.width() / view.width(), box.height() / view.height()};
+    return {box.x() / view.width(), box.y() / view.height(), box.width() / view.width(),
+            box.height() / view.height()};
 }
 
 void RegionGesture::finish(const Pointer& pointer) {
     last_ = pointer.at;
     constexpr double kLeast = 4;  // logical pixels: less is a click
-    const bool dragged = (last_ - start_).manhattanLength() >= kLeast && region().width() > 0 && region().height() > 0;
+    const bool dragged = (last_ - start_).manhattanLength() >= kLeast && region().width() > 0 &&
+                         region().height() > 0;
     context_.renderer.setRegion(dragged ? std::optional(region()) : std::nullopt);
 }
 
-void RegionGesture::paint(QPainter& painter) const { paintRegion(painter, region(), context_.widget.rect()); }
+void RegionGesture::paint(QPainter& painter) const {
+    paintRegion(painter, region(), context_.widget.rect());
+}
 
 QString RegionGesture::readout() const {
     const double scale = context_.widget.devicePixelRatioF();
@@ -28,7 +32,8 @@ QString RegionGesture::readout() const {
 }
 
 void paintRegion(QPainter& painter, const QRectF& region, const QRectF& view) {
-    const QRectF box(region.x() * view.width(), region.y() * view.height(), region.width() * view.width(), region.height() * view.height());
+    const QRectF box(region.x() * view.width(), region.y() * view.height(),
+                     region.width() * view.width(), region.height() * view.height());
     painter.setBrush(Qt::NoBrush);
     // Dark below light, so that it is seen on everything.
     painter.setPen(QPen(QColor(0, 0, 0, 160), 3));

@@ -7,7 +7,8 @@ namespace glint {
 
 class RegionGesture : public Gesture {
   public:
-    RegionGesture(ViewContext& context, const QPointF& start) : Gesture(context), start_(start), last_(start) {}
+    RegionGesture(ViewContext& context, const QPointF& start)
+        : Gesture(context), start_(start), last_(start) {}
 
     void move(const Pointer& pointer) override { last_ = pointer.at; }
     /// A drag sets the region; a click takes it away.

@@ -26,8 +26,11 @@ Pointer pointerOf(const QMouseEvent& event) { return {event.position(), event.mo
 
 }  // namespace
 
-RenderView::RenderView(Document& document, Selection& selection, Renderer& renderer, QWidget* parent)
-    : QWidget(parent), context_{document, selection, renderer, *this, {}, {}}, outline_(new SelectionOutline(this)) {
+RenderView::RenderView(Document& document, Selection& selection, Renderer& renderer,
+                       QWidget* parent)
+    : QWidget(parent),
+      context_{document, selection, renderer, *this, {}, {}},
+      outline_(new SelectionOutline(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -77,16 +80,23 @@ bool RenderView::tellColor(const QPoint& global, std::function<void(const Color&
     const QPointF at = mapFromGlobal(QPointF(global));
     const QRectF picture = frame && frame->width > 0 ? pictureRect() : QRectF();
     if (!picture.contains(at)) return false;
-    const auto pixel = [](double share, int count) { return std::clamp(static_cast<int>(share * count), 0, count - 1); };
-    context_.renderer.probe({pixel((at.x() - picture.x()) / picture.width(), frame->width), pixel((at.y() - picture.y()) / picture.height(), frame->height)},
-                            [tell = std::move(tell)](const Rgb& light) { tell({light.x, light.y, light.z}); });
+    const auto pixel = [](double share, int count) {
+        return std::clamp(static_cast<int>(share * count), 0, count - 1);
+    };
+    context_.renderer.probe({pixel((at.x() - picture.x()) / picture.width(), frame->width),
+                             pixel((at.y() - picture.y()) / picture.height(), frame->height)},
+                            [tell = std::move(tell)](const Rgb& light) {
+                                tell({light.x, light.y, light.z});
+                            });
     return true;
 }
 
 void RenderView::beginFollow(Scene base, const QString& text) {
     GizmoFrame frame;
-    for (const Item item : context_.movableItems()) frame.origin = worldFromItem(base, item).translation;
-    gesture_ = std::make_unique<GizmoGesture>(context_, frame, pointerOrCenter(), std::move(base), text);
+    for (const Item item : context_.movableItems())
+        frame.origin = worldFromItem(base, item).translation;
+    gesture_ =
+        std::make_unique<GizmoGesture>(context_, frame, pointerOrCenter(), std::move(base), text);
     gestureButton_ = Qt::NoButton;
     setFocus();
 }
@@ -115,7 +125,8 @@ bool RenderView::cancelGesture() {
 
 std::unique_ptr<Gesture> RenderView::gestureFor(const QMouseEvent& event) {
     const QPointF at = event.position();
-    const bool alt = event.modifiers() & Qt::AltModifier, shift = event.modifiers() & Qt::ShiftModifier;
+    const bool alt = event.modifiers() & Qt::AltModifier,
+               shift = event.modifiers() & Qt::ShiftModifier;
     switch (event.button()) {
         case Qt::MiddleButton:
             if (shift || alt) return std::make_unique<PanGesture>(context_, at);
@@ -133,14 +144,16 @@ std::unique_ptr<Gesture> RenderView::gestureFor(const QMouseEvent& event) {
             if (alt) return std::make_unique<OrbitGesture>(context_, at);
             updateHover(at);
             const auto frame = context_.gizmoFrame();
-            if (frame && overlayShown_ && hovered_ != Handle::None) return std::make_unique<GizmoGesture>(context_, hovered_, *frame, at);
+            if (frame && overlayShown_ && hovered_ != Handle::None)
+                return std::make_unique<GizmoGesture>(context_, hovered_, *frame, at);
             if (event.modifiers() & Qt::ControlModifier) {
                 focusAt(at);
                 return nullptr;
             }
             return std::make_unique<SelectGesture>(context_, pointerOf(event));
         }
-        default: return nullptr;
+        default:
+            return nullptr;
     }
 }
 
@@ -156,8 +169,10 @@ void RenderView::focusAt(const QPointF& at) {
 void RenderView::mousePressEvent(QMouseEvent* event) {
     if (gesture_) {
         // A second button takes a drag back; a click ends what follows the pointer.
-        if (gestureButton_ == Qt::NoButton && event->button() == Qt::LeftButton) endGesture(pointerOf(*event));
-        else cancelGesture();
+        if (gestureButton_ == Qt::NoButton && event->button() == Qt::LeftButton)
+            endGesture(pointerOf(*event));
+        else
+            cancelGesture();
         return;
     }
     wheelTimer_.stop();
@@ -185,7 +200,8 @@ void RenderView::mouseReleaseEvent(QMouseEvent* event) {
     const auto* fly = dynamic_cast<FlyGesture*>(gesture_.get());
     const bool click = fly && fly->isClick();
     // Alt and a click that turned nothing asks about the pixel.
-    const bool asks = event->button() == Qt::LeftButton && event->modifiers() & Qt::AltModifier && event->position() == pressedAt_;
+    const bool asks = event->button() == Qt::LeftButton && event->modifiers() & Qt::AltModifier &&
+                      event->position() == pressedAt_;
     endGesture(pointerOf(*event));
     if (click) emit menuRequested(event->globalPosition().toPoint());
     if (asks) inspect(event->position());
@@ -201,14 +217,16 @@ void RenderView::endGesture(const Pointer& pointer) {
 
 void RenderView::updateHover(const QPointF& at) {
     const auto frame = context_.gizmoFrame();
-    const Handle handle = frame ? handleAt(context_.projection(), *frame, context_.tools.tool, at) : Handle::None;
+    const Handle handle =
+        frame ? handleAt(context_.projection(), *frame, context_.tools.tool, at) : Handle::None;
     if (handle == hovered_) return;
     hovered_ = handle;
     update();
 }
 
 void RenderView::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / (context_.navigation.invertWheel ? -120.0 : 120.0);
+    const double steps =
+        event->angleDelta().y() / (context_.navigation.invertWheel ? -120.0 : 120.0);
     if (steps == 0) return event->ignore();
     if (gesture_) {
         if (gesture_->wheel(steps)) emit readoutChanged(gesture_->readout());
@@ -217,16 +235,20 @@ void RenderView::wheelEvent(QWheelEvent* event) {
     const Camera camera = context_.document.scene().viewCamera();
     if (!wheelTimer_.isActive()) context_.history.leave(camera);
     wheelTimer_.start();
-    context_.document.navigate(dollied(camera, focusPoint(context_, event->position()), std::pow(0.85, steps)));
+    context_.document.navigate(
+        dollied(camera, focusPoint(context_, event->position()), std::pow(0.85, steps)));
 }
 
 bool RenderView::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && (gesture_ || (regionComes_ && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape))) {
-        // While something is dragged the keys are its own: W moves forward and does not choose a tool.
+    if (event->type() == QEvent::ShortcutOverride &&
+        (gesture_ || (regionComes_ && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape))) {
+        // While something is dragged the keys are its own: W moves forward and does not choose a
+        // tool.
         event->accept();
         return true;
     }
-    if (event->type() == QEvent::ShortcutOverride && keypadAction(*static_cast<QKeyEvent*>(event))) {
+    if (event->type() == QEvent::ShortcutOverride &&
+        keypadAction(*static_cast<QKeyEvent*>(event))) {
         event->accept();
         return true;
     }
@@ -241,7 +263,8 @@ void RenderView::watchWindow() {
 
 bool RenderView::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Expose)
-        if (const auto* handle = qobject_cast<QWindow*>(watched)) context_.renderer.setShown(isVisible() && handle->isExposed());
+        if (const auto* handle = qobject_cast<QWindow*>(watched))
+            context_.renderer.setShown(isVisible() && handle->isExposed());
     return QWidget::eventFilter(watched, event);
 }
 
@@ -256,11 +279,14 @@ void RenderView::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
 }
 
-// Under X11 Qt takes a digit of the keypad for one of the row above the letters if that has an action, too.
+// Under X11 Qt takes a digit of the keypad for one of the row above the letters if that has an
+// action, too.
 QAction* RenderView::keypadAction(const QKeyEvent& event) const {
     if (gesture_ || !(event.modifiers() & Qt::KeypadModifier)) return nullptr;
     for (QAction* action : window()->actions())
-        if (action->isEnabled() && action->shortcuts().contains(QKeySequence(event.keyCombination()))) return action;
+        if (action->isEnabled() &&
+            action->shortcuts().contains(QKeySequence(event.keyCombination())))
+            return action;
     return nullptr;
 }
 
@@ -311,7 +337,9 @@ void RenderView::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (overlayShown_) paintOverlay(painter);
     if (const auto& region = context_.renderer.region()) paintRegion(painter, *region, rect());
-    if (const SessionFrame* frame = context_.renderer.frame(); frame && frame->channel != Channel::Beauty) paintLegend(painter, *frame, rect());
+    if (const SessionFrame* frame = context_.renderer.frame();
+        frame && frame->channel != Channel::Beauty)
+        paintLegend(painter, *frame, rect());
     if (gesture_) gesture_->paint(painter);
     paintHints(painter);
     if (shown) emit pictureShown();
@@ -320,8 +348,8 @@ void RenderView::paintEvent(QPaintEvent*) {
 void RenderView::paintPicture(QPainter& painter) const {
     const SessionFrame* frame = context_.renderer.frame();
     if (!frame || frame->width <= 0 || frame->height <= 0) return;
-    const QImage image(reinterpret_cast<const uchar*>(frame->pixels.data()), frame->width, frame->height,
-                       frame->width * 4, QImage::Format_RGB32);
+    const QImage image(reinterpret_cast<const uchar*>(frame->pixels.data()), frame->width,
+                       frame->height, frame->width * 4, QImage::Format_RGB32);
     const QRectF target = pictureRect();
     painter.setRenderHint(QPainter::SmoothPixmapTransform, target != QRectF(rect()));
     painter.drawImage(target, image);
@@ -330,7 +358,8 @@ void RenderView::paintPicture(QPainter& painter) const {
 QRectF RenderView::pictureRect() const {
     const SessionFrame* frame = context_.renderer.frame();
     if (QSize(frame->width, frame->height) == size() * devicePixelRatioF()) return rect();
-    // Until the first frame of a new size comes, the old one is shown with the same height: the field of view is vertical.
+    // Until the first frame of a new size comes, the old one is shown with the same height: the
+    // field of view is vertical.
     const double wide = static_cast<double>(height()) * frame->width / frame->height;
     return {(width() - wide) / 2, 0, wide, static_cast<double>(height())};
 }
@@ -341,11 +370,13 @@ void RenderView::paintOverlay(QPainter& painter) const {
     const std::vector<Item>& selected = context_.selection.items();
     if (gridShown_) paintGrid(painter, view, scene.viewCamera().target);
     paintSafeFrame(painter, scene.film, view);
-    if (const QImage& outline = outline_->image(context_); !outline.isNull()) painter.drawImage(pictureRect(), outline);
+    if (const QImage& outline = outline_->image(context_); !outline.isNull())
+        painter.drawImage(pictureRect(), outline);
     paintGlyphs(painter, scene, selected, view);
     paintAxesCorner(painter, view);
     if (const auto* drag = dynamic_cast<const GizmoGesture*>(gesture_.get())) {
-        if (const auto frame = context_.gizmoFrame()) paintGizmo(painter, view, *frame, drag->drag().tool(), drag->drag().handle());
+        if (const auto frame = context_.gizmoFrame())
+            paintGizmo(painter, view, *frame, drag->drag().tool(), drag->drag().handle());
     } else if (const auto frame = context_.gizmoFrame()) {
         paintGizmo(painter, view, *frame, context_.tools.tool, hovered_);
     }
@@ -363,14 +394,18 @@ QString RenderView::hint() const {
     if (!parts.isEmpty()) return parts.join(QStringLiteral("  ·  "));
     if (!renderer.frame()) return tr("Preparing the picture…");
     if (context_.document.scene().objects.empty())
-        return tr("This scene is empty. Shift+A adds an object; drop a scene or an environment picture here.");
+        return tr(
+            "This scene is empty. Shift+A adds an object; drop a scene or an environment picture "
+            "here.");
     return {};
 }
 
 void RenderView::paintHints(QPainter& painter) const {
     const QString text = hint();
     if (text.isEmpty()) return;
-    QRectF box = QRectF(fontMetrics().boundingRect(rect().adjusted(20, 0, -20, 0), Qt::AlignCenter | Qt::TextWordWrap, text)).adjusted(-10, -5, 10, 5);
+    QRectF box = QRectF(fontMetrics().boundingRect(rect().adjusted(20, 0, -20, 0),
+                                                   Qt::AlignCenter | Qt::TextWordWrap, text))
+                     .adjusted(-10, -5, 10, 5);
     box.moveTop(10);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(0, 0, 0, 160));

@@ -1,5 +1,6 @@
-// RenderView: the picture. Paints the newest frame and the overlay, and turns pointer and keys into gestures. What a gesture
-// does is in navigation_gestures.h and edit_gestures.h; menu commands of the view are in view_commands.h.
+// RenderView: the picture. Paints the newest frame and the overlay, and turns pointer and keys into
+// gestures. What a gesture does is in navigation_gestures.h and edit_gestures.h; menu commands of
+// the view are in view_commands.h.
 #pragma once
 
 #include <QTimer>
@@ -19,7 +20,8 @@ class RenderView : public QWidget, public PictureSource {
     Q_OBJECT
 
   public:
-    RenderView(Document& document, Selection& selection, Renderer& renderer, QWidget* parent = nullptr);
+    RenderView(Document& document, Selection& selection, Renderer& renderer,
+               QWidget* parent = nullptr);
     ~RenderView() override;
 
     [[nodiscard]] ViewContext& context() { return context_; }

@@ -15,7 +15,9 @@ namespace {
 /// Pixels of the frame on which points of the selected objects fall.
 std::vector<QPoint> seedsOf(const Scene& scene, const SilhouetteRequest& request) {
     constexpr std::size_t kMost = 500;  // Of more objects every one has neighbours that are found.
-    const ViewProjection view(fittedCamera(scene.viewCamera(), scene.film, request.width, request.height), request.width, request.height);
+    const ViewProjection view(
+        fittedCamera(scene.viewCamera(), scene.film, request.width, request.height), request.width,
+        request.height);
     std::vector<QPoint> out;
     for (std::size_t i = 0; i < std::min(kMost, request.selected.size()); ++i) {
         const Object* object = scene.objects.find(request.selected[i]);
@@ -44,7 +46,9 @@ SilhouetteRequest requestFor(const ViewContext& context) {
     return out;
 }
 
-bool sameSelection(const SilhouetteRequest& a, const SilhouetteRequest& b) { return a.selected == b.selected && a.active == b.active; }
+bool sameSelection(const SilhouetteRequest& a, const SilhouetteRequest& b) {
+    return a.selected == b.selected && a.active == b.active;
+}
 bool samePicture(const SilhouetteRequest& a, const SilhouetteRequest& b) {
     return sameSelection(a, b) && a.scene == b.scene && a.width == b.width && a.height == b.height;
 }
@@ -66,7 +70,8 @@ const QImage& SelectionOutline::image(const ViewContext& context) {
     }
     if (samePicture(request, wanted_)) return image_;
     // Two device pixels on a usual screen, and as thick to the eye on a finer one.
-    thickness_ = std::max(1, static_cast<int>(std::lround(1.5 * context.widget.devicePixelRatioF())));
+    thickness_ =
+        std::max(1, static_cast<int>(std::lround(1.5 * context.widget.devicePixelRatioF())));
     wanted_ = std::move(request);
     document_ = context.document.scene();
     if (!watcher_.isRunning()) start();
@@ -76,10 +81,12 @@ const QImage& SelectionOutline::image(const ViewContext& context) {
 void SelectionOutline::start() {
     running_ = wanted_;
     const OverlayColors colors;
-    watcher_.setFuture(QtConcurrent::run([request = running_, scene = document_, thickness = thickness_, colors]() mutable {
-        request.seeds = seedsOf(scene, request);
-        return outlineImage(silhouette(request), request.width, request.height, thickness, colors.selected, colors.active);
-    }));
+    watcher_.setFuture(QtConcurrent::run(
+        [request = running_, scene = document_, thickness = thickness_, colors]() mutable {
+            request.seeds = seedsOf(scene, request);
+            return outlineImage(silhouette(request), request.width, request.height, thickness,
+                                colors.selected, colors.active);
+        }));
 }
 
 void SelectionOutline::take() {

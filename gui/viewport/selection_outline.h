@@ -1,4 +1,5 @@
-// SelectionOutline: keeps the line around the selection up to date in the background, for the picture that is shown.
+// SelectionOutline: keeps the line around the selection up to date in the background, for the
+// picture that is shown.
 #pragma once
 
 #include <QFutureWatcher>
@@ -20,8 +21,8 @@ class SelectionOutline : public QObject {
     explicit SelectionOutline(QObject* parent = nullptr);
     ~SelectionOutline() override;
 
-    /// The line for the frame and selection there are now, as far as it is known: at most the time of one tracing behind.
-    /// Null while nothing is selected. Asks for a newer one where needed.
+    /// The line for the frame and selection there are now, as far as it is known: at most the time
+    /// of one tracing behind. Null while nothing is selected. Asks for a newer one where needed.
     [[nodiscard]] const QImage& image(const ViewContext& context);
 
   signals:

@@ -19,7 +19,8 @@ class Tracing {
         : request_(request),
           columns_((request.width + kCell - 1) / kCell),
           rows_((request.height + kCell - 1) / kCell),
-          shown_(static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height)),
+          shown_(static_cast<std::size_t>(request.width) *
+                 static_cast<std::size_t>(request.height)),
           known_(shown_.size()),
           refined_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
@@ -40,7 +41,8 @@ class Tracing {
 
   private:
     [[nodiscard]] std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(request_.width) + static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(request_.width) +
+               static_cast<std::size_t>(x);
     }
 
     Shown at(int x, int y) {
@@ -54,24 +56,34 @@ class Tracing {
 
     [[nodiscard]] Shown trace(int x, int y) const {
         const auto hit = pick(*request_.scene, request_.width, request_.height, x + 0.5, y + 0.5);
-        if (!hit || !std::binary_search(request_.selected.begin(), request_.selected.end(), hit->object)) return Shown::Other;
+        if (!hit ||
+            !std::binary_search(request_.selected.begin(), request_.selected.end(), hit->object))
+            return Shown::Other;
         return hit->object == request_.active ? Shown::Active : Shown::Selected;
     }
 
-    [[nodiscard]] int right(int column) const { return std::min((column + 1) * kCell, request_.width) - 1; }
-    [[nodiscard]] int bottom(int row) const { return std::min((row + 1) * kCell, request_.height) - 1; }
+    [[nodiscard]] int right(int column) const {
+        return std::min((column + 1) * kCell, request_.width) - 1;
+    }
+    [[nodiscard]] int bottom(int row) const {
+        return std::min((row + 1) * kCell, request_.height) - 1;
+    }
 
     /// The first pixels of the cell and of its neighbours to the right and below show the same.
     bool isAlike(int column, int row) {
         const Shown first = at(column * kCell, row * kCell);
-        for (const auto& [c, r] : {std::pair{column + 1, row}, {column, row + 1}, {column + 1, row + 1}})
-            if (at(std::min(c * kCell, request_.width - 1), std::min(r * kCell, request_.height - 1)) != first) return false;
+        for (const auto& [c, r] :
+             {std::pair{column + 1, row}, {column, row + 1}, {column + 1, row + 1}})
+            if (at(std::min(c * kCell, request_.width - 1),
+                   std::min(r * kCell, request_.height - 1)) != first)
+                return false;
         return true;
     }
 
     void want(int column, int row) {
         if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return;
-        const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+        const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                       static_cast<std::size_t>(column);
         if (refined_[i]) return;
         refined_[i] = true;
         wanted_.push_back({column, row});
@@ -103,7 +115,9 @@ class Tracing {
     void fillRest() {
         for (int row = 0; row < rows_; ++row)
             for (int column = 0; column < columns_; ++column) {
-                if (refined_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)]) continue;
+                if (refined_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                             static_cast<std::size_t>(column)])
+                    continue;
                 const Shown first = at(column * kCell, row * kCell);
                 for (int y = row * kCell; y <= bottom(row); ++y)
                     for (int x = column * kCell; x <= right(column); ++x)
@@ -131,10 +145,14 @@ std::vector<QPoint> discOf(int radius) {
 
 std::vector<Shown> silhouette(const SilhouetteRequest& request) { return Tracing(request).run(); }
 
-QImage outlineImage(const std::vector<Shown>& shown, int width, int height, int thickness, const QColor& selected, const QColor& active) {
+QImage outlineImage(const std::vector<Shown>& shown, int width, int height, int thickness,
+                    const QColor& selected, const QColor& active) {
     QImage image(width, height, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
-    const auto at = [&](int x, int y) { return shown[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; };
+    const auto at = [&](int x, int y) {
+        return shown[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                     static_cast<std::size_t>(x)];
+    };
     const std::vector<QPoint> rim = discOf(thickness + 1), line = discOf(thickness);
     // Rim first, then the selected, then the active one: what counts more covers the rest.
     const auto paint = [&](const std::vector<QPoint>& disc, Shown least, QRgb color) {
@@ -142,8 +160,12 @@ QImage outlineImage(const std::vector<Shown>& shown, int width, int height, int 
             for (int x = 0; x < width; ++x) {
                 const Shown own = at(x, y);
                 if (own < least) continue;
-                const auto isOutside = [&](int nx, int ny) { return nx >= 0 && ny >= 0 && nx < width && ny < height && at(nx, ny) < own; };
-                if (!isOutside(x - 1, y) && !isOutside(x + 1, y) && !isOutside(x, y - 1) && !isOutside(x, y + 1)) continue;
+                const auto isOutside = [&](int nx, int ny) {
+                    return nx >= 0 && ny >= 0 && nx < width && ny < height && at(nx, ny) < own;
+                };
+                if (!isOutside(x - 1, y) && !isOutside(x + 1, y) && !isOutside(x, y - 1) &&
+                    !isOutside(x, y + 1))
+                    continue;
                 for (const QPoint& offset : disc)
                     if (const QPoint to(x + offset.x(), y + offset.y()); isOutside(to.x(), to.y()))
                         reinterpret_cast<QRgb*>(image.scanLine(to.y()))[to.x()] = color;

@@ -17,7 +17,8 @@ void ViewCommands::go(const Camera& camera) {
 
 void ViewCommands::frame(const Bounds& bounds) {
     const Scene& scene = view_.context().document.scene();
-    go(framed(scene.viewCamera(), bounds, static_cast<double>(scene.film.width) / scene.film.height));
+    go(framed(scene.viewCamera(), bounds,
+              static_cast<double>(scene.film.width) / scene.film.height));
 }
 
 void ViewCommands::frameSelected() {
@@ -40,17 +41,20 @@ void ViewCommands::toggleProjection() {
 
 void ViewCommands::back() {
     ViewContext& context = view_.context();
-    if (const auto camera = context.history.back(context.document.scene().viewCamera())) context.document.navigate(*camera);
+    if (const auto camera = context.history.back(context.document.scene().viewCamera()))
+        context.document.navigate(*camera);
 }
 
 void ViewCommands::forward() {
     ViewContext& context = view_.context();
-    if (const auto camera = context.history.forward(context.document.scene().viewCamera())) context.document.navigate(*camera);
+    if (const auto camera = context.history.forward(context.document.scene().viewCamera()))
+        context.document.navigate(*camera);
 }
 
 void ViewCommands::goToSavedView(int number) {
     const auto& views = view_.context().document.scene().views;
-    if (number >= 1 && static_cast<std::size_t>(number) <= views.size()) go(views[static_cast<std::size_t>(number) - 1]);
+    if (number >= 1 && static_cast<std::size_t>(number) <= views.size())
+        go(views[static_cast<std::size_t>(number) - 1]);
 }
 
 void ViewCommands::storeView(int number) {

@@ -1,4 +1,5 @@
-// ViewCommands: moves of the view that menus and keys ask for: frame, standard views, projection, history, saved views.
+// ViewCommands: moves of the view that menus and keys ask for: frame, standard views, projection,
+// history, saved views.
 #pragma once
 
 #include <QObject>

@@ -45,7 +45,9 @@ std::vector<Item> ViewContext::itemsWithin(const QRectF& box) const {
     const ViewProjection view = projection();
     std::vector<Item> out;
     scene.objects.forEach([&](ObjectId id, const Object& object) {
-        if (!isVisible(scene, object) || isLockedInTree(scene, Item::of(id)) || std::holds_alternative<Plane>(object.shape)) return;
+        if (!isVisible(scene, object) || isLockedInTree(scene, Item::of(id)) ||
+            std::holds_alternative<Plane>(object.shape))
+            return;
         const QPolygonF outline = outlineOf(scene, object, view);
         if (!outline.isEmpty() && box.contains(outline.boundingRect())) out.push_back(Item::of(id));
     });
@@ -66,7 +68,8 @@ ViewContext::Placement ViewContext::placementAt(const QPointF& at) const {
 std::vector<Item> ViewContext::movableItems() const {
     const Scene& scene = document.scene();
     std::vector<Item> items = topmost(scene, selection.items());
-    const Item viewer = scene.activeCamera ? Item::of(scene.activeCamera) : Item{ItemKind::Camera, 0};
+    const Item viewer =
+        scene.activeCamera ? Item::of(scene.activeCamera) : Item{ItemKind::Camera, 0};
     std::erase_if(items, [&](Item item) { return item == viewer || isLockedInTree(scene, item); });
     return items;
 }
@@ -80,9 +83,12 @@ std::optional<GizmoFrame> ViewContext::gizmoFrame() const {
     if (tools.pivot == Pivot::Active) {
         frame.origin = worldFromItem(scene, items.back()).translation;
     } else {
-        for (const Item item : items) frame.origin += worldFromItem(scene, item).translation / static_cast<double>(items.size());
+        for (const Item item : items)
+            frame.origin +=
+                worldFromItem(scene, item).translation / static_cast<double>(items.size());
     }
-    // A scale along other axes than an object's own would shear it: with one object the scale tool takes its own.
+    // A scale along other axes than an object's own would shear it: with one object the scale tool
+    // takes its own.
     const bool own = tools.localAxes || (tools.tool == Tool::Scale && items.size() == 1);
     if (own) frame.axes = orthonormal(worldFromItem(scene, items.back()).linear);
     return frame;

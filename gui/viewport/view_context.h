@@ -24,8 +24,9 @@ struct ToolOptions {
 
 /// How a person likes to move the view.
 struct NavigationOptions {
-    bool invertWheel = false;     ///< the wheel towards the hand comes closer
-    bool orbitSelection = false;  ///< orbit about the selection instead of the point under the pointer
+    bool invertWheel = false;  ///< the wheel towards the hand comes closer
+    bool orbitSelection =
+        false;  ///< orbit about the selection instead of the point under the pointer
 };
 
 struct ViewContext {
@@ -45,7 +46,8 @@ struct ViewContext {
     [[nodiscard]] std::optional<Item> itemAt(const QPointF& at) const;
     /// Items that lie wholly within a rectangle of pixels.
     [[nodiscard]] std::vector<Item> itemsWithin(const QRectF& box) const;
-    /// Where a new thing would stand: on the surface under the pixel, on the ground, or at the camera's target.
+    /// Where a new thing would stand: on the surface under the pixel, on the ground, or at the
+    /// camera's target.
     struct Placement {
         DVec3 position{0.0};
         DVec3 normal{0, 1, 0};

@@ -16,14 +16,19 @@ class ViewHistory {
         if (back_.size() > kMost) back_.erase(back_.begin());
         forward_.clear();
     }
-    [[nodiscard]] std::optional<Camera> back(const Camera& current) { return step(back_, forward_, current); }
-    [[nodiscard]] std::optional<Camera> forward(const Camera& current) { return step(forward_, back_, current); }
+    [[nodiscard]] std::optional<Camera> back(const Camera& current) {
+        return step(back_, forward_, current);
+    }
+    [[nodiscard]] std::optional<Camera> forward(const Camera& current) {
+        return step(forward_, back_, current);
+    }
     void clear() { back_.clear(), forward_.clear(); }
 
   private:
     static constexpr std::size_t kMost = 200;
 
-    static std::optional<Camera> step(std::vector<Camera>& from, std::vector<Camera>& to, const Camera& current) {
+    static std::optional<Camera> step(std::vector<Camera>& from, std::vector<Camera>& to,
+                                      const Camera& current) {
         if (from.empty()) return std::nullopt;
         to.push_back(current);
         const Camera camera = from.back();

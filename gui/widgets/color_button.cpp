@@ -75,8 +75,10 @@ void ColorButton::openPopup() {
     editor.adjustSize();
     const QRect space = screen()->availableGeometry();
     QPoint at = mapToGlobal(QPoint(width() - editor.width(), height() + 2));
-    if (at.y() + editor.height() > space.bottom()) at.setY(mapToGlobal(QPoint()).y() - editor.height() - 2);
-    at.setX(std::clamp(at.x(), space.left(), std::max(space.left(), space.right() - editor.width())));
+    if (at.y() + editor.height() > space.bottom())
+        at.setY(mapToGlobal(QPoint()).y() - editor.height() - 2);
+    at.setX(
+        std::clamp(at.x(), space.left(), std::max(space.left(), space.right() - editor.width())));
     editor.move(at);
     editor.show();
 }

@@ -1,5 +1,6 @@
-// ColorButton: a swatch for a linear colour, also one brighter than 1. A click opens a small editor beside it: hue and
-// saturation, brightness, linear numbers and hex. Like DragNumber it shows a value and emits intents.
+// ColorButton: a swatch for a linear colour, also one brighter than 1. A click opens a small editor
+// beside it: hue and saturation, brightness, linear numbers and hex. Like DragNumber it shows a
+// value and emits intents.
 #pragma once
 
 #include <QAbstractButton>

@@ -18,7 +18,8 @@ namespace glint {
 namespace {
 
 Color linearColor(const QColor& screen) {
-    return {linearFromSrgb(screen.redF()), linearFromSrgb(screen.greenF()), linearFromSrgb(screen.blueF())};
+    return {linearFromSrgb(screen.redF()), linearFromSrgb(screen.greenF()),
+            linearFromSrgb(screen.blueF())};
 }
 
 double peakOf(const Color& c) { return std::max({c.r, c.g, c.b}); }
@@ -27,15 +28,18 @@ Color scaled(const Color& c, double factor) { return {c.r * factor, c.g * factor
 
 }  // namespace
 
-ColorPopup::ColorPopup(double min, double max, QWidget* parent) : QFrame(parent, Qt::Popup), max_(max) {
+ColorPopup::ColorPopup(double min, double max, QWidget* parent)
+    : QFrame(parent, Qt::Popup), max_(max) {
     setFrameShape(QFrame::StyledPanel);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     square_ = new HueSquare(this);
     layout->addWidget(square_);
     buildNumbers(min, max);
-    connect(square_, &HueSquare::picked, this, [this](const QColor& c) { emit previewed(withBrightness(c)); });
-    connect(square_, &HueSquare::released, this, [this](const QColor& c) { emit edited(withBrightness(c)); });
+    connect(square_, &HueSquare::picked, this,
+            [this](const QColor& c) { emit previewed(withBrightness(c)); });
+    connect(square_, &HueSquare::released, this,
+            [this](const QColor& c) { emit edited(withBrightness(c)); });
 }
 
 void ColorPopup::buildNumbers(double min, double max) {
@@ -54,8 +58,10 @@ void ColorPopup::buildNumbers(double min, double max) {
             color.*member = v;
             return color;
         };
-        connect(number, &DragNumber::previewed, this, [this, with](double v) { emit previewed(with(v)); });
-        connect(number, &DragNumber::edited, this, [this, with](double v) { emit edited(with(v)); });
+        connect(number, &DragNumber::previewed, this,
+                [this, with](double v) { emit previewed(with(v)); });
+        connect(number, &DragNumber::edited, this,
+                [this, with](double v) { emit edited(with(v)); });
         connect(number, &DragNumber::canceled, this, &ColorPopup::canceled);
         form->addRow(names[i], number);
         number->setToolTip(tr("Linear Rec.709"));
@@ -68,8 +74,10 @@ void ColorPopup::buildNumbers(double min, double max) {
         const double peak = peakOf(value_);
         return peak > 0 ? scaled(value_, v / peak) : Color{v, v, v};
     };
-    connect(brightness_, &DragNumber::previewed, this, [this, brighter](double v) { emit previewed(brighter(v)); });
-    connect(brightness_, &DragNumber::edited, this, [this, brighter](double v) { emit edited(brighter(v)); });
+    connect(brightness_, &DragNumber::previewed, this,
+            [this, brighter](double v) { emit previewed(brighter(v)); });
+    connect(brightness_, &DragNumber::edited, this,
+            [this, brighter](double v) { emit edited(brighter(v)); });
     connect(brightness_, &DragNumber::canceled, this, &ColorPopup::canceled);
     form->addRow(tr("Brightness"), brightness_);
     hex_ = new QLineEdit(this);
@@ -80,7 +88,9 @@ void ColorPopup::buildNumbers(double min, double max) {
     form->addRow(tr("Hex (sRGB)"), hex_);
     auto* dropper = new QPushButton(icon("dropper"), tr("Pick from the picture"), this);
     dropper->setObjectName("dropper");
-    dropper->setToolTip(tr("The next click on the picture takes its linear colour, as it is before the exposure; Esc ends it"));
+    dropper->setToolTip(
+        tr("The next click on the picture takes its linear colour, as it is before the exposure; "
+           "Esc ends it"));
     connect(dropper, &QPushButton::clicked, this, &ColorPopup::dropperRequested);
     form->addRow(dropper);
     static_cast<QVBoxLayout*>(layout())->addLayout(form);

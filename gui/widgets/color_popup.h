@@ -1,5 +1,5 @@
-// ColorPopup: the editor that a ColorButton opens. Colours are linear; the square and the hex digits are as the screen shows
-// them, with "brightness" as the factor above 1.
+// ColorPopup: the editor that a ColorButton opens. Colours are linear; the square and the hex
+// digits are as the screen shows them, with "brightness" as the factor above 1.
 #pragma once
 
 #include <QFrame>

@@ -14,7 +14,9 @@
 
 namespace glint {
 
-QString shortNumber(double value, int digits) { return QString::number(value == 0 ? 0.0 : value, 'g', digits); }
+QString shortNumber(double value, int digits) {
+    return QString::number(value == 0 ? 0.0 : value, 'g', digits);
+}
 
 QString shownUnit(const QString& unit) {
     if (unit == "deg") return QStringLiteral("°");
@@ -23,14 +25,17 @@ QString shownUnit(const QString& unit) {
 }
 
 bool NumberRange::contains(double value) const {
-    return (exclusiveMin ? value > min : value >= min) && value <= max && (!integer || value == std::floor(value));
+    return (exclusiveMin ? value > min : value >= min) && value <= max &&
+           (!integer || value == std::floor(value));
 }
 
 QString NumberRange::text() const {
     const bool low = std::isfinite(min), high = std::isfinite(max);
     QString out = integer ? DragNumber::tr("a whole number") : DragNumber::tr("a number");
-    if (low && exclusiveMin) out += DragNumber::tr(" above %1").arg(shortNumber(min));
-    else if (low) out += DragNumber::tr(" from %1").arg(shortNumber(min));
+    if (low && exclusiveMin)
+        out += DragNumber::tr(" above %1").arg(shortNumber(min));
+    else if (low)
+        out += DragNumber::tr(" from %1").arg(shortNumber(min));
     if (high) out += DragNumber::tr(" up to %1").arg(shortNumber(max));
     return out;
 }
@@ -71,7 +76,8 @@ void DragNumber::showValue() {
     // Fewer digits rather than a number that is cut: the whole one is there to type.
     constexpr int kMargin = 6, kFewestDigits = 3;
     QString text = shortNumber(*value_) + behind;
-    for (int digits = kShownDigits - 1; digits >= kFewestDigits && isVisible() && !range_.integer; --digits) {
+    for (int digits = kShownDigits - 1; digits >= kFewestDigits && isVisible() && !range_.integer;
+         --digits) {
         if (fontMetrics().horizontalAdvance(text) + kMargin <= width()) break;
         text = shortNumber(*value_, digits) + behind;
     }
@@ -112,7 +118,8 @@ double DragNumber::neat(double value, double step) const {
 }
 
 void DragNumber::mousePressEvent(QMouseEvent* event) {
-    if (state_ == State::Typing || event->button() != Qt::LeftButton) return QLineEdit::mousePressEvent(event);
+    if (state_ == State::Typing || event->button() != Qt::LeftButton)
+        return QLineEdit::mousePressEvent(event);
     state_ = State::Pressed;
     pressedAt_ = event->position();
     dragStart_ = dragged_ = value_.value_or(0);
@@ -120,7 +127,8 @@ void DragNumber::mousePressEvent(QMouseEvent* event) {
 }
 
 void DragNumber::mouseMoveEvent(QMouseEvent* event) {
-    if (state_ != State::Pressed && state_ != State::Dragging) return QLineEdit::mouseMoveEvent(event);
+    if (state_ != State::Pressed && state_ != State::Dragging)
+        return QLineEdit::mouseMoveEvent(event);
     const double pixels = event->position().x() - pressedAt_.x();
     if (state_ == State::Pressed) {
         if (std::abs(pixels) < QApplication::startDragDistance()) return;
@@ -129,7 +137,8 @@ void DragNumber::mouseMoveEvent(QMouseEvent* event) {
     double step = stepAt(dragStart_);
     if (event->modifiers() & Qt::ShiftModifier) step /= 10;
     double next = neat(dragStart_ + pixels * step, step);
-    if (event->modifiers() & Qt::ControlModifier) next = neat(dragStart_ + pixels * step, step * 10);
+    if (event->modifiers() & Qt::ControlModifier)
+        next = neat(dragStart_ + pixels * step, step * 10);
     if (next == dragged_) return;
     dragged_ = next;
     emit previewed(next);
@@ -137,7 +146,8 @@ void DragNumber::mouseMoveEvent(QMouseEvent* event) {
 
 void DragNumber::mouseReleaseEvent(QMouseEvent* event) {
     const State state = state_;
-    if (state == State::Typing || event->button() != Qt::LeftButton) return QLineEdit::mouseReleaseEvent(event);
+    if (state == State::Typing || event->button() != Qt::LeftButton)
+        return QLineEdit::mouseReleaseEvent(event);
     state_ = State::Idle;
     if (state == State::Dragging) emit edited(dragged_);
     if (state == State::Pressed) {
@@ -157,11 +167,14 @@ void DragNumber::beginTyping() {
 
 void DragNumber::finishTyping() {
     const QString typed = text().trimmed();
-    const bool untouched = value_ ? typed == QString::number(*value_, 'g', QLocale::FloatingPointShortest) : typed.isEmpty();
+    const bool untouched =
+        value_ ? typed == QString::number(*value_, 'g', QLocale::FloatingPointShortest)
+               : typed.isEmpty();
     if (untouched) return leaveTyping();
     const auto value = evaluate(typed, value_.value_or(0), unit_);
     if (!value) return refuse(tr("\"%1\" is not a number").arg(typed));
-    if (!range_.contains(*value)) return refuse(tr("%1 is not %2").arg(shortNumber(*value), range_.text()));
+    if (!range_.contains(*value))
+        return refuse(tr("%1 is not %2").arg(shortNumber(*value), range_.text()));
     clearRefusal();
     emit edited(*value);
     if (!isRefused()) leaveTyping();
@@ -204,11 +217,15 @@ void DragNumber::setRefused(bool refused) {
 void DragNumber::keyPressEvent(QKeyEvent* event) {
     const int key = event->key();
     if (key == Qt::Key_Escape && (state_ == State::Dragging || state_ == State::Typing)) {
-        if (state_ == State::Dragging) cancelDrag();
-        else leaveTyping();
+        if (state_ == State::Dragging)
+            cancelDrag();
+        else
+            leaveTyping();
     } else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-        if (state_ == State::Typing) finishTyping();
-        else beginTyping();
+        if (state_ == State::Typing)
+            finishTyping();
+        else
+            beginTyping();
     } else if ((key == Qt::Key_Up || key == Qt::Key_Down) && value_) {
         double step = stepAt(*value_) * (event->modifiers() & Qt::ShiftModifier ? 1 : 10);
         if (range_.integer) step = 1;
@@ -216,7 +233,8 @@ void DragNumber::keyPressEvent(QKeyEvent* event) {
         if (state_ == State::Typing) leaveTyping();
         if (next != *value_) emit edited(next);
     } else {
-        if (state_ == State::Idle && !event->text().isEmpty() && event->text()[0].isPrint()) beginTyping();
+        if (state_ == State::Idle && !event->text().isEmpty() && event->text()[0].isPrint())
+            beginTyping();
         QLineEdit::keyPressEvent(event);
     }
 }
@@ -238,7 +256,8 @@ void DragNumber::wheelEvent(QWheelEvent* event) { event->ignore(); }
 
 void DragNumber::focusInEvent(QFocusEvent* event) {
     QLineEdit::focusInEvent(event);
-    if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason) beginTyping();
+    if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
+        beginTyping();
 }
 
 void DragNumber::focusOutEvent(QFocusEvent* event) {
@@ -251,8 +270,10 @@ void DragNumber::focusOutEvent(QFocusEvent* event) {
 
 // The row's menu (reset to default, ...) is the useful one while nothing is typed.
 void DragNumber::contextMenuEvent(QContextMenuEvent* event) {
-    if (state_ == State::Typing) QLineEdit::contextMenuEvent(event);
-    else event->ignore();
+    if (state_ == State::Typing)
+        QLineEdit::contextMenuEvent(event);
+    else
+        event->ignore();
 }
 
 }  // namespace glint

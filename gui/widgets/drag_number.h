@@ -1,5 +1,6 @@
-// DragNumber: a number field. Drag sideways to change it, click or Tab into it to type arithmetic, arrow keys to step.
-// It shows a value and emits intents; its owner sets the value back with setValue(), or refuses it with refuse().
+// DragNumber: a number field. Drag sideways to change it, click or Tab into it to type arithmetic,
+// arrow keys to step. It shows a value and emits intents; its owner sets the value back with
+// setValue(), or refuses it with refuse().
 #pragma once
 
 #include <QLineEdit>

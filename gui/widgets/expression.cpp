@@ -12,7 +12,8 @@ constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 /// Factor from a typed unit to the field's, or nothing where the two do not go together.
 std::optional<double> unitFactor(const QString& typed, const QString& unit) {
-    static const QHash<QString, double> lengths = {{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1}, {"km", 1e3}, {"in", 0.0254}, {"ft", 0.3048}};
+    static const QHash<QString, double> lengths = {{"mm", 1e-3}, {"cm", 1e-2},   {"m", 1},
+                                                   {"km", 1e3},  {"in", 0.0254}, {"ft", 0.3048}};
     if (typed == unit) return 1;
     if (unit == "m" && lengths.contains(typed)) return lengths.value(typed);
     if (unit == "deg" && typed == QStringLiteral("°")) return 1;
@@ -37,17 +38,23 @@ class Parser {
     double sum() {
         double value = product();
         for (;;) {
-            if (take('+')) value += product();
-            else if (take('-')) value -= product();
-            else return value;
+            if (take('+'))
+                value += product();
+            else if (take('-'))
+                value -= product();
+            else
+                return value;
         }
     }
     double product() {
         double value = power();
         for (;;) {
-            if (take('*')) value *= power();
-            else if (take('/')) value /= power();
-            else return value;
+            if (take('*'))
+                value *= power();
+            else if (take('/'))
+                value /= power();
+            else
+                return value;
         }
     }
     double power() {

@@ -42,7 +42,9 @@ bool Eyedropper::eventFilter(QObject* watched, QEvent* event) {
         emit self->picked(color);
         self->deleteLater();
     };
-    if (!picture || press->button() != Qt::LeftButton || !picture->tellColor(press->globalPosition().toPoint(), tell)) deleteLater();
+    if (!picture || press->button() != Qt::LeftButton ||
+        !picture->tellColor(press->globalPosition().toPoint(), tell))
+        deleteLater();
     return true;
 }
 

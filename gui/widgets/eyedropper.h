@@ -13,8 +13,8 @@ namespace glint {
 class PictureSource {
   public:
     virtual ~PictureSource() = default;
-    /// Tells the linear light (Rec.709) of the pixel at a point of the screen, before the exposure, as soon as it is known. False outside
-    /// the picture: then nothing is told.
+    /// Tells the linear light (Rec.709) of the pixel at a point of the screen, before the exposure,
+    /// as soon as it is known. False outside the picture: then nothing is told.
     virtual bool tellColor(const QPoint& global, std::function<void(const Color&)> tell) = 0;
 };
 

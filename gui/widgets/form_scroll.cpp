@@ -19,8 +19,8 @@ FormScroll::FormScroll(QWidget* parent) : QScrollArea(parent), layout_(new QVBox
 
 QWidget* FormScroll::newForm() {
     if (form_) {
-        // The old form may be in the middle of an event of one of its editors. It keeps its place in the tree of widgets: to
-        // take it out would set the style of each of its parts anew.
+        // The old form may be in the middle of an event of one of its editors. It keeps its place
+        // in the tree of widgets: to take it out would set the style of each of its parts anew.
         layout_->removeWidget(form_);
         form_->hide();
         form_->deleteLater();

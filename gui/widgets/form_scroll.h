@@ -1,4 +1,5 @@
-// FormScroll: a form that scrolls up and down, is replaced as a whole, and is never narrower than its fields need.
+// FormScroll: a form that scrolls up and down, is replaced as a whole, and is never narrower than
+// its fields need.
 #pragma once
 
 #include <QScrollArea>

@@ -6,7 +6,9 @@
 
 namespace glint {
 
-HueSquare::HueSquare(QWidget* parent) : QWidget(parent) { setAccessibleName(tr("Hue, saturation and value")); }
+HueSquare::HueSquare(QWidget* parent) : QWidget(parent) {
+    setAccessibleName(tr("Hue, saturation and value"));
+}
 
 QSize HueSquare::sizeHint() const {
     const int side = fontMetrics().height() * 9;
@@ -16,14 +18,17 @@ QSize HueSquare::sizeHint() const {
 void HueSquare::setColor(const QColor& color) {
     if (dragging_ != Part::None) return;
     // Greys have no hue and black no saturation: keep the last, so that the marks do not jump.
-    if (color.hsvHueF() >= 0 && color.hsvSaturationF() > 0) hue_ = std::min(color.hsvHueF(), 0.9999f);
+    if (color.hsvHueF() >= 0 && color.hsvSaturationF() > 0)
+        hue_ = std::min(color.hsvHueF(), 0.9999f);
     if (color.valueF() > 0) saturation_ = color.hsvSaturationF();
     value_ = color.valueF();
     update();
 }
 
 QRectF HueSquare::squareRect() const { return QRectF(0, 0, width() - width() / 7.0 - 4, height()); }
-QRectF HueSquare::stripRect() const { return QRectF(width() - width() / 7.0, 0, width() / 7.0, height()); }
+QRectF HueSquare::stripRect() const {
+    return QRectF(width() - width() / 7.0, 0, width() / 7.0, height());
+}
 
 void HueSquare::paintEvent(QPaintEvent*) {
     QPainter painter(this);
@@ -38,10 +43,12 @@ void HueSquare::paintEvent(QPaintEvent*) {
     down.setColorAt(1, Qt::black);
     painter.fillRect(square, down);
     QLinearGradient hues(strip.topLeft(), strip.bottomLeft());
-    for (int i = 0; i <= 6; ++i) hues.setColorAt(i / 6.0, QColor::fromHsvF(static_cast<float>(i % 6) / 6.0f, 1, 1));
+    for (int i = 0; i <= 6; ++i)
+        hues.setColorAt(i / 6.0, QColor::fromHsvF(static_cast<float>(i % 6) / 6.0f, 1, 1));
     painter.fillRect(strip, hues);
 
-    const QPointF mark(square.left() + saturation_ * square.width(), square.top() + (1 - value_) * square.height());
+    const QPointF mark(square.left() + saturation_ * square.width(),
+                       square.top() + (1 - value_) * square.height());
     painter.setPen(QPen(value_ > 0.5f ? Qt::black : Qt::white, 1.5));
     painter.drawEllipse(mark, 5, 5);
     const double y = strip.top() + hue_ * strip.height();
@@ -55,15 +62,18 @@ void HueSquare::pickAt(const QPointF& at) {
         hue_ = static_cast<float>(std::clamp((at.y() - strip.top()) / strip.height(), 0.0, 0.9999));
     } else {
         const QRectF square = squareRect();
-        saturation_ = static_cast<float>(std::clamp((at.x() - square.left()) / square.width(), 0.0, 1.0));
-        value_ = static_cast<float>(std::clamp(1 - (at.y() - square.top()) / square.height(), 0.0, 1.0));
+        saturation_ =
+            static_cast<float>(std::clamp((at.x() - square.left()) / square.width(), 0.0, 1.0));
+        value_ =
+            static_cast<float>(std::clamp(1 - (at.y() - square.top()) / square.height(), 0.0, 1.0));
     }
     update();
     emit picked(color());
 }
 
 void HueSquare::mousePressEvent(QMouseEvent* event) {
-    dragging_ = stripRect().adjusted(-3, 0, 0, 0).contains(event->position()) ? Part::Strip : Part::Square;
+    dragging_ =
+        stripRect().adjusted(-3, 0, 0, 0).contains(event->position()) ? Part::Strip : Part::Square;
     pickAt(event->position());
 }
 

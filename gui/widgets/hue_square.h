@@ -1,4 +1,5 @@
-// HueSquare: the area of a colour editor in which one drags saturation and value, with a strip of hues beside it.
+// HueSquare: the area of a colour editor in which one drags saturation and value, with a strip of
+// hues beside it.
 #pragma once
 
 #include <QColor>

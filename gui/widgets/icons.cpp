@@ -22,17 +22,23 @@ QByteArray colored(const QString& name, const QString& color) {
     return file.readAll().replace("currentColor", color.toLatin1());
 }
 
-/// Draws an SVG whose "currentColor" is the palette's. Qt's own SVG icons stay black (see the palette's theme).
+/// Draws an SVG whose "currentColor" is the palette's. Qt's own SVG icons stay black (see the
+/// palette's theme).
 class PaletteIconEngine : public QIconEngine {
   public:
     explicit PaletteIconEngine(QString name) : name_(std::move(name)) {}
 
-    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode,
+               QIcon::State state) override {
         QSvgRenderer renderer(colored(name_, color(mode, state)));
         renderer.render(painter, rect);
     }
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        const QString key = QStringLiteral("glint-icon/%1/%2x%3/%4").arg(name_).arg(size.width()).arg(size.height()).arg(color(mode, state));
+        const QString key = QStringLiteral("glint-icon/%1/%2x%3/%4")
+                                .arg(name_)
+                                .arg(size.width())
+                                .arg(size.height())
+                                .arg(color(mode, state));
         QPixmap pixmap;
         if (QPixmapCache::find(key, &pixmap)) return pixmap;
         pixmap = QPixmap(size);
@@ -47,7 +53,8 @@ class PaletteIconEngine : public QIconEngine {
   private:
     static QString color(QIcon::Mode mode, QIcon::State) {
         const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
-        const auto role = mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::ButtonText;
+        const auto role =
+            mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::ButtonText;
         return QApplication::palette().color(group, role).name();
     }
 

@@ -1,4 +1,5 @@
-// IgnoreWheel: an event filter for widgets in scrolled panels whose value must not change under a passing wheel.
+// IgnoreWheel: an event filter for widgets in scrolled panels whose value must not change under a
+// passing wheel.
 #pragma once
 
 #include <QEvent>

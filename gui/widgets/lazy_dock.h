@@ -1,5 +1,5 @@
-// LazyDock: a dock whose content is made when it is first seen or asked for. What stands behind another tab, or is hidden,
-// costs the start nothing.
+// LazyDock: a dock whose content is made when it is first seen or asked for. What stands behind
+// another tab, or is hidden, costs the start nothing.
 #pragma once
 
 #include <QDockWidget>

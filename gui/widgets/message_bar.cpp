@@ -48,7 +48,8 @@ void MessageBar::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) retranslate();
 }
 
-void MessageBar::show(Level level, const QString& text, const QString& details, std::vector<Choice> choices) {
+void MessageBar::show(Level level, const QString& text, const QString& details,
+                      std::vector<Choice> choices) {
     const QString names[] = {"info", "warning", "error"};
     const auto name = names[static_cast<int>(level)];
     setProperty("level", name);

@@ -1,4 +1,5 @@
-// MessageBar: what the program has to say, above the picture, without stopping anybody. Holds one message with actions.
+// MessageBar: what the program has to say, above the picture, without stopping anybody. Holds one
+// message with actions.
 #pragma once
 
 #include <QFrame>
@@ -25,7 +26,8 @@ class MessageBar : public QFrame {
     explicit MessageBar(QWidget* parent = nullptr);
 
     /// Replaces what is shown. `details` becomes the tool tip.
-    void show(Level level, const QString& text, const QString& details = {}, std::vector<Choice> choices = {});
+    void show(Level level, const QString& text, const QString& details = {},
+              std::vector<Choice> choices = {});
     /// Shows a running job: 0 to 1, negative while unknown.
     void showProgress(const QString& text, double fraction, std::vector<Choice> choices = {});
     void dismiss();

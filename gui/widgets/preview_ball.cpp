@@ -20,7 +20,8 @@ void PreviewBall::showPicture() {
     QPixmap picture = QPixmap::fromImage(previews_.of(material_));
     if (picture.isNull()) return;
     const int side = static_cast<int>(MaterialPreviews::kSide * devicePixelRatioF());
-    if (side != picture.width()) picture = picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    if (side != picture.width())
+        picture = picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     picture.setDevicePixelRatio(devicePixelRatioF());
     setPixmap(picture);
 }

@@ -31,14 +31,16 @@ QString stateText(const SessionFrame& frame) {
 /// "± 0.84 %", "± 110 %": two digits that count.
 QString errorText(double share) {
     const double percent = 100 * share;
-    const int decimals = percent > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(percent))), 0, 6) : 0;
+    const int decimals =
+        percent > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(percent))), 0, 6) : 0;
     return StatusLine::tr("± %1 %").arg(percent, 0, 'f', decimals);
 }
 
 /// "41 s, 1 % in 12 s": the time so far, and what is still to come.
 QString timeText(const SessionFrame& frame) {
     const QString spent = duration(frame.seconds);
-    if (frame.state != SessionState::Rendering || !std::isfinite(frame.remainingSeconds)) return spent;
+    if (frame.state != SessionState::Rendering || !std::isfinite(frame.remainingSeconds))
+        return spent;
     return StatusLine::tr("%1, done in %2").arg(spent, duration(frame.remainingSeconds));
 }
 
@@ -77,7 +79,8 @@ void StatusLine::showFrame(const SessionFrame& frame) {
     QStringList parts;
     const QString state = stateText(frame);
     if (!state.isEmpty()) parts << state;
-    parts << (frame.sppTarget > 0 ? tr("%1 / %2 spp").arg(frame.spp).arg(frame.sppTarget) : tr("%1 spp").arg(frame.spp));
+    parts << (frame.sppTarget > 0 ? tr("%1 / %2 spp").arg(frame.spp).arg(frame.sppTarget)
+                                  : tr("%1 spp").arg(frame.spp));
     if (std::isfinite(frame.error)) parts << errorText(frame.error);
     parts << timeText(frame);
     if (frame.filtered) parts << tr("filtered");
@@ -85,7 +88,8 @@ void StatusLine::showFrame(const SessionFrame& frame) {
     if (frame.scene && frame.scene->settings.clamp > 0) parts << tr("clamped, hence biased");
     if (frame.raysPerSecond > 0) parts << tr("%1 Mray/s").arg(frame.raysPerSecond / 1e6, 0, 'f', 1);
     if (!frame.kernel.empty()) parts << toQString(frame.kernel);
-    if (frame.nonfiniteSamples > 0) parts << tr("%n faulty sample(s)", nullptr, static_cast<int>(frame.nonfiniteSamples));
+    if (frame.nonfiniteSamples > 0)
+        parts << tr("%n faulty sample(s)", nullptr, static_cast<int>(frame.nonfiniteSamples));
     stateText_ = parts.join(QStringLiteral("  ·  "));
     errors_ = frame.errors;
     showState();
@@ -105,7 +109,8 @@ void StatusLine::showState() {
     QString text = stateText_;
     if (pixel_.x() >= 0 && pixel_.y() >= 0)
         if (const auto error = errors_.at(pixel_.x(), pixel_.y()))
-            text += QStringLiteral("  ·  ") + tr("%1 at the pointer").arg(errorText(static_cast<double>(*error)));
+            text += QStringLiteral("  ·  ") +
+                    tr("%1 at the pointer").arg(errorText(static_cast<double>(*error)));
     if (text != state_->text()) state_->setText(text);
 }
 

@@ -1,5 +1,5 @@
-// TileList: pictures with names in rows as wide as there is room, all of them shown: it is as high as its rows, and what is
-// around it scrolls.
+// TileList: pictures with names in rows as wide as there is room, all of them shown: it is as high
+// as its rows, and what is around it scrolls.
 #pragma once
 
 #include <QListWidget>

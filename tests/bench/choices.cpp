@@ -30,7 +30,8 @@ struct PowerHeuristic {
     static double lightWeight(double light, double bsdf) { return share(light, bsdf); }
     static double bsdfWeight(double bsdf, double light) { return share(bsdf, light); }
 };
-/// Balance between densities of one magnitude; the much smaller one counts for nothing (Veach 1997, sec. 9.2.3).
+/// Balance between densities of one magnitude; the much smaller one counts for nothing (Veach 1997,
+/// sec. 9.2.3).
 template <int kPercent>
 struct Cutoff {
     static double share(double a, double b) {
@@ -71,14 +72,16 @@ struct Way {
 /// Lights are chosen by what they emit, wherever they are.
 void chooseByPower(RenderScene& scene) {
     std::vector<LightBounds> bounds;
-    for (const CompiledLight& light : scene.lights.lights) bounds.push_back({DVec3(0.0), kInfinity, light.power});
+    for (const CompiledLight& light : scene.lights.lights)
+        bounds.push_back({DVec3(0.0), kInfinity, light.power});
     scene.lights.choice = LightChoice(std::move(bounds));
 }
 
 template <class Heuristic, class Effort = UsualEffort>
 Rgb trace(KernelState& state, int x, int y, std::uint32_t sample) {
     const Sampler sampler = samplerFor(state.scene, x, y, sample);
-    return PathTracer<kAllFeatures, Heuristic, Effort>(state, sampler).radiance(cameraRay<kAllFeatures>(state.scene, sampler, x, y, state.work));
+    return PathTracer<kAllFeatures, Heuristic, Effort>(state, sampler)
+        .radiance(cameraRay<kAllFeatures>(state.scene, sampler, x, y, state.work));
 }
 
 /// The first one is what Glint does.
@@ -106,12 +109,14 @@ struct Figures {
     std::vector<double> relMse, seconds;
     [[nodiscard]] std::vector<double> efficiency() const {
         std::vector<double> out;
-        for (std::size_t i = 0; i < seconds.size(); ++i) out.push_back(1 / (meanInterval(relMse).mean * seconds[i]));
+        for (std::size_t i = 0; i < seconds.size(); ++i)
+            out.push_back(1 / (meanInterval(relMse).mean * seconds[i]));
         return out;
     }
 };
 
-void measure(const Way& way, RenderScene scene, int spp, int seed, const Reference& reference, Figures& out) {
+void measure(const Way& way, RenderScene scene, int spp, int seed, const Reference& reference,
+             Figures& out) {
     scene.settings.seed = seed;
     if (way.prepare) way.prepare(scene);
     const int width = scene.film.width, height = scene.film.height;
@@ -121,17 +126,22 @@ void measure(const Way& way, RenderScene scene, int spp, int seed, const Referen
     for (int y = 0, i = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             DVec3 sum(0.0);
-            for (int s = 0; s < spp; ++s) sum += toDouble(way.run(state, x, y, static_cast<std::uint32_t>(s)));
-            for (int c = 0; c < 3; ++c) image.rgb[static_cast<std::size_t>(i++)] = static_cast<float>(sum[c] / spp);
+            for (int s = 0; s < spp; ++s)
+                sum += toDouble(way.run(state, x, y, static_cast<std::uint32_t>(s)));
+            for (int c = 0; c < 3; ++c)
+                image.rgb[static_cast<std::size_t>(i++)] = static_cast<float>(sum[c] / spp);
         }
     out.seconds.push_back(watch.threadSeconds());
     out.relMse.push_back(pictureErrors(image, reference).relMse);
 }
 
-bool isWanted(const ChoicesOptions& options, const Way& way) { return options.only.empty() || way.choice == options.only || &way == kWays.data(); }
+bool isWanted(const ChoicesOptions& options, const Way& way) {
+    return options.only.empty() || way.choice == options.only || &way == kWays.data();
+}
 
 Result<std::vector<Figures>> measureAll(const ChoicesOptions& options, const std::string& file) {
-    const Result<LoadedScene> loaded = loadScaled(file, options.width, [](Scene& scene) { scene.render.integrator = Integrator::Path; });
+    const Result<LoadedScene> loaded = loadScaled(
+        file, options.width, [](Scene& scene) { scene.render.integrator = Integrator::Path; });
     if (!loaded) return loaded.error();
     ErrorReportSettings settings;
     settings.lastPower = static_cast<int>(std::ceil(std::log2(options.spp)));
@@ -141,7 +151,9 @@ Result<std::vector<Figures>> measureAll(const ChoicesOptions& options, const std
     for (int run = 0; run < options.runs; ++run)
         for (std::size_t i = 0; i < kWays.size(); ++i) {
             const std::size_t way = run % 2 ? kWays.size() - 1 - i : i;
-            if (isWanted(options, kWays[way])) measure(kWays[way], *loaded.value().compiled, options.spp, run + 1, reference.value(), out[way]);
+            if (isWanted(options, kWays[way]))
+                measure(kWays[way], *loaded.value().compiled, options.spp, run + 1,
+                        reference.value(), out[way]);
         }
     return out;
 }
@@ -163,13 +175,24 @@ int runChoices(const ChoicesOptions& options) {
             const double error = meanInterval(f.relMse).mean;
             const Ratio ratio = pairedRatio(f.efficiency(), measured.value()[0].efficiency());
             if (error > 0) ratios[i].push_back(ratio.value);
-            const double microseconds = 1e6 * median(f.seconds) / (static_cast<double>(options.spp) * options.width * options.width);
-            table.add({scene, std::string(kWays[i].choice), std::string(kWays[i].name), format("%.2e", error), format("%.2f", microseconds), format("%.2f", ratio.value)});
-            json.push_back({{"scene", scene}, {"choice", kWays[i].choice}, {"way", kWays[i].name}, {"rel_mse", f.relMse}, {"seconds", f.seconds}, {"efficiency_ratio", ratio.value}});
+            const double microseconds =
+                1e6 * median(f.seconds) /
+                (static_cast<double>(options.spp) * options.width * options.width);
+            table.add({scene, std::string(kWays[i].choice), std::string(kWays[i].name),
+                       format("%.2e", error), format("%.2f", microseconds),
+                       format("%.2f", ratio.value)});
+            json.push_back({{"scene", scene},
+                            {"choice", kWays[i].choice},
+                            {"way", kWays[i].name},
+                            {"rel_mse", f.relMse},
+                            {"seconds", f.seconds},
+                            {"efficiency_ratio", ratio.value}});
         }
     }
     for (std::size_t i = 0; i < kWays.size(); ++i)
-        if (!ratios[i].empty()) table.add({"geometric mean", std::string(kWays[i].choice), std::string(kWays[i].name), "", "", format("%.2f", geometricMean(ratios[i]))});
+        if (!ratios[i].empty())
+            table.add({"geometric mean", std::string(kWays[i].choice), std::string(kWays[i].name),
+                       "", "", format("%.2f", geometricMean(ratios[i]))});
     std::printf("%s", table.markdown().c_str());
     return writeJson(options.json, json) ? kOk : kCannotWrite;
 }
@@ -178,13 +201,25 @@ int runChoices(const ChoicesOptions& options) {
 
 Command choicesCommand(CLI::App& root) {
     auto options = std::make_shared<ChoicesOptions>();
-    CLI::App* app = root.add_subcommand("choices", "The path integrator's choices (weights, splitting, roulette, choice of lights) against the other ways, one thread, in turn");
-    addSceneFiles(*app, options->files, "scenes/demo and tests/bench/scenes/path", {"scenes/demo", "tests/bench/scenes/path"});
-    app->add_option("--width", options->width, "Pixels across; the shape stays")->check(CLI::Range(4, 8192))->capture_default_str();
-    app->add_option("--spp", options->spp, "Samples a pixel, a power of two")->check(CLI::Range(1, 65536))->capture_default_str();
-    app->add_option("--runs", options->runs, "Renders of each way, in turn, each with its own seed")->check(CLI::Range(2, 1000))->capture_default_str();
-    app->add_option("--only", options->only, "Only this choice: weights, lights, splitting, caustics, highlights, roulette");
-    app->add_option("--cache", options->cache, "Folder where references are kept")->capture_default_str();
+    CLI::App* app =
+        root.add_subcommand("choices",
+                            "The path integrator's choices (weights, splitting, roulette, choice "
+                            "of lights) against the other ways, one thread, in turn");
+    addSceneFiles(*app, options->files, "scenes/demo and tests/bench/scenes/path",
+                  {"scenes/demo", "tests/bench/scenes/path"});
+    app->add_option("--width", options->width, "Pixels across; the shape stays")
+        ->check(CLI::Range(4, 8192))
+        ->capture_default_str();
+    app->add_option("--spp", options->spp, "Samples a pixel, a power of two")
+        ->check(CLI::Range(1, 65536))
+        ->capture_default_str();
+    app->add_option("--runs", options->runs, "Renders of each way, in turn, each with its own seed")
+        ->check(CLI::Range(2, 1000))
+        ->capture_default_str();
+    app->add_option("--only", options->only,
+                    "Only this choice: weights, lights, splitting, caustics, highlights, roulette");
+    app->add_option("--cache", options->cache, "Folder where references are kept")
+        ->capture_default_str();
     app->add_option("--json", options->json, "Write the figures to this file as JSON");
     return {app, [options] { return runChoices(*options); }};
 }

@@ -1,4 +1,5 @@
-// Time that passes, and time that processors work for us: on a busy machine only the second can be compared.
+// Time that passes, and time that processors work for us: on a busy machine only the second can be
+// compared.
 #pragma once
 
 #include <chrono>
@@ -13,9 +14,14 @@ class Stopwatch {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
     }
     /// Processor time of all threads of this process since then [s].
-    [[nodiscard]] double processSeconds() const { return clockSeconds(CLOCK_PROCESS_CPUTIME_ID) - process_; }
-    /// Processor time of the calling thread since then [s]; it must be the one that made the object.
-    [[nodiscard]] double threadSeconds() const { return clockSeconds(CLOCK_THREAD_CPUTIME_ID) - thread_; }
+    [[nodiscard]] double processSeconds() const {
+        return clockSeconds(CLOCK_PROCESS_CPUTIME_ID) - process_;
+    }
+    /// Processor time of the calling thread since then [s]; it must be the one that made the
+    /// object.
+    [[nodiscard]] double threadSeconds() const {
+        return clockSeconds(CLOCK_THREAD_CPUTIME_ID) - thread_;
+    }
 
   private:
     static double clockSeconds(clockid_t clock) {

@@ -1,4 +1,5 @@
-// One subcommand of glint-bench: a file of its own that adds itself to the command line (see main.cpp).
+// One subcommand of glint-bench: a file of its own that adds itself to the command line (see
+// main.cpp).
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,5 @@
-// glint-bench environment: how directions of an environment are drawn, the built way against an alias table.
+// glint-bench environment: how directions of an environment are drawn, the built way against an
+// alias table.
 #pragma once
 
 #include "tests/bench/command.h"

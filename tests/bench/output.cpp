@@ -15,7 +15,9 @@ bool writeText(const std::string& file, const std::string& text) {
     return written.ok();
 }
 
-bool writeJson(const std::string& file, const Json& json) { return writeText(file, json.dump(2) + '\n'); }
+bool writeJson(const std::string& file, const Json& json) {
+    return writeText(file, json.dump(2) + '\n');
+}
 
 bool canWrite(const std::string& file) {
     if (file.empty()) return true;
@@ -54,7 +56,8 @@ std::string Table::markdown() const {
         }
         out += "|\n";
         if (r > 0) continue;
-        for (std::size_t i = 0; i < widths.size(); ++i) out += '|' + std::string(widths[i] + 1, '-') + (i == 0 ? "-" : ":");
+        for (std::size_t i = 0; i < widths.size(); ++i)
+            out += '|' + std::string(widths[i] + 1, '-') + (i == 0 ? "-" : ":");
         out += "|\n";
     }
     return out;

@@ -1,5 +1,5 @@
-// What a measurement leaves behind: JSON, CSV, tables, plots. All are written whole or not at all, with one way to say that it
-// could not be done.
+// What a measurement leaves behind: JSON, CSV, tables, plots. All are written whole or not at all,
+// with one way to say that it could not be done.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,12 +12,14 @@ namespace glint::bench {
 
 using Json = nlohmann::ordered_json;
 
-/// Writes `text` to `file`; with an empty `file` nothing. False with a message on the error stream where that fails.
+/// Writes `text` to `file`; with an empty `file` nothing. False with a message on the error stream
+/// where that fails.
 [[nodiscard]] bool writeText(const std::string& file, const std::string& text);
 /// The same for JSON.
 [[nodiscard]] bool writeJson(const std::string& file, const Json& json);
 
-/// Says so before an hour of measuring ends in a file that cannot be written: true if `file` (empty: none) can be opened for writing.
+/// Says so before an hour of measuring ends in a file that cannot be written: true if `file`
+/// (empty: none) can be opened for writing.
 [[nodiscard]] bool canWrite(const std::string& file);
 
 /// Prints the error and answers with `code`.

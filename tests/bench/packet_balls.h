@@ -1,5 +1,6 @@
-// Packets of eight coherent rays against one ball at a time, in float alone: the most that packets could gain over Glint's single rays
-// against blocks of eight shapes, because nothing is decided in double and no hit is described.
+// Packets of eight coherent rays against one ball at a time, in float alone: the most that packets
+// could gain over Glint's single rays against blocks of eight shapes, because nothing is decided in
+// double and no hit is described.
 #pragma once
 
 #include <cmath>
@@ -15,25 +16,31 @@ class PacketBalls {
 
     explicit PacketBalls(const std::vector<ShapeInstance>& shapes) {
         for (const ShapeInstance& shape : shapes) {
-            const auto radius = static_cast<float>(std::cbrt(std::abs(glm::determinant(shape.worldFromLocal))));
+            const auto radius =
+                static_cast<float>(std::cbrt(std::abs(glm::determinant(shape.worldFromLocal))));
             balls_.push_back({toFloat(shape.center), radius * radius});
         }
     }
-    [[nodiscard]] static bool isSupported() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
+    [[nodiscard]] static bool isSupported() {
+        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    }
 
     /// Of so many rays from one point, a multiple of kWidth, those that hit. Needs isSupported().
-    [[nodiscard]] __attribute__((target("avx2,fma"))) std::size_t hits(const std::vector<BenchRay>& rays) const {
+    [[nodiscard]] __attribute__((target("avx2,fma"))) std::size_t hits(
+        const std::vector<BenchRay>& rays) const {
         std::size_t out = 0;
         for (std::size_t first = 0; first < rays.size(); first += kWidth) {
             Lanes ox, oy, oz, dx, dy, dz;
             for (std::size_t i = 0; i < kWidth; ++i) {
-                const Vec3 o = toFloat(rays[first + i].ray.origin), d = toFloat(rays[first + i].ray.direction);
+                const Vec3 o = toFloat(rays[first + i].ray.origin),
+                           d = toFloat(rays[first + i].ray.direction);
                 ox[i] = o.x, oy[i] = o.y, oz[i] = o.z;
                 dx[i] = d.x, dy[i] = d.y, dz[i] = d.z;
             }
             Lanes nearest = Lanes{} + 1e30f;
             for (const Ball& ball : balls_) {
-                const Lanes cx = ball.center.x - ox, cy = ball.center.y - oy, cz = ball.center.z - oz;
+                const Lanes cx = ball.center.x - ox, cy = ball.center.y - oy,
+                            cz = ball.center.z - oz;
                 const Lanes along = cx * dx + cy * dy + cz * dz;
                 const Lanes px = cx - along * dx, py = cy - along * dy, pz = cz - along * dz;
                 const Lanes inside = ball.radius2 - (px * px + py * py + pz * pz);
@@ -52,7 +59,8 @@ class PacketBalls {
         Vec3 center;
         float radius2;
     };
-    [[nodiscard]] __attribute__((target("avx2,fma"), always_inline)) static inline Lanes root(Lanes square) {
+    [[nodiscard]] __attribute__((target("avx2,fma"), always_inline)) static inline Lanes root(
+        Lanes square) {
         for (std::size_t i = 0; i < kWidth; ++i) square[i] = std::sqrt(std::max(square[i], 0.0f));
         return square;
     }

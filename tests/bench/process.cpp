@@ -24,7 +24,10 @@ std::filesystem::path findProgram(const std::string& program) {
 }
 
 Result<Process> Process::start(const std::vector<std::string>& arguments) {
-    const auto failed = [&] { return Error{"cannot start " + arguments[0] + ": " + std::strerror(errno), {}, 0, 0, {}, {}}; };
+    const auto failed = [&] {
+        return Error{
+            "cannot start " + arguments[0] + ": " + std::strerror(errno), {}, 0, 0, {}, {}};
+    };
     std::signal(SIGPIPE, SIG_IGN);  // A child that ends early is an error to report, not our end.
     std::array<int, 2> input{}, output{};
     if (pipe2(input.data(), O_CLOEXEC) != 0) return failed();
@@ -34,7 +37,8 @@ Result<Process> Process::start(const std::vector<std::string>& arguments) {
         return failed();
     }
     std::vector<char*> argv;
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    for (const std::string& argument : arguments)
+        argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
     const pid_t child = fork();
     if (child == 0) {
@@ -108,7 +112,8 @@ bool Process::readLine(std::string& line) {
 int Process::wait() {
     closeInput();
     int status = 0;
-    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {}
+    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+    }
     child_ = -1;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }

@@ -14,7 +14,8 @@ namespace glint::bench {
 /// The full path of `program` as the shell would find it; empty where it is not installed.
 [[nodiscard]] std::filesystem::path findProgram(const std::string& program);
 
-/// A running program with its input, and its output and errors as one stream, in our hands. Ended with this object.
+/// A running program with its input, and its output and errors as one stream, in our hands. Ended
+/// with this object.
 class Process {
   public:
     /// Starts `arguments[0]`. Fails where the system cannot.

@@ -11,19 +11,21 @@
 #include "tests/bench/packet_balls.h"
 #include "tests/bench/shape_field.h"
 #include "tests/support/scalar_lists.h"
-#include "tracer/math/transform.h"
 #include "tracer/math/statistics.h"
+#include "tracer/math/transform.h"
 
 namespace glint::bench {
 
 namespace {
 
 constexpr int kSide = 128;
-constexpr std::size_t kRays = kSide * kSide;  ///< a set; small enough to stay in the cache beside the shapes
-constexpr int kRuns = 7;                      ///< interleaved; the median counts
+constexpr std::size_t kRays =
+    kSide * kSide;        ///< a set; small enough to stay in the cache beside the shapes
+constexpr int kRuns = 7;  ///< interleaved; the median counts
 constexpr double kSecondsARun = 0.05;
 
-/// What is asked of the shapes: closest hits of rays from a camera or from anywhere, or whether anything is in the way.
+/// What is asked of the shapes: closest hits of rays from a camera or from anywhere, or whether
+/// anything is in the way.
 struct RaySet {
     const char* name;
     std::vector<BenchRay> rays;
@@ -137,8 +139,10 @@ void report(const std::string& what, std::size_t count, std::vector<Contender>& 
     rows.push_back(std::move(row));
 }
 
-/// Tile by tile of a camera's rays, as a render does it: the shapes that a tile can see are looked for first.
-std::size_t traceTiles(const ShapeLists& lists, const std::vector<BenchRay>& rays, WorkCounts& work, FewShapes& few) {
+/// Tile by tile of a camera's rays, as a render does it: the shapes that a tile can see are looked
+/// for first.
+std::size_t traceTiles(const ShapeLists& lists, const std::vector<BenchRay>& rays, WorkCounts& work,
+                       FewShapes& few) {
     const CameraModel camera = fieldCamera(kSide);
     const MediaStack media;
     std::size_t hits = 0, next = 0;
@@ -162,28 +166,34 @@ void measure(FieldOf kind, std::size_t count, const std::vector<RaySet>& sets, J
     FewShapes few;
     for (const RaySet& set : sets) {
         const bool shadow = set.shadow;
-        const Contender single = contender(set.coherent ? "single" : "glint", set.rays, [&, shadow](const BenchRay& r) {
-            return shadow ? lists.occluded(r.ray, media, r.tMax, kNoShape, work)
-                          : lists.closest(r.ray, media, kInfinity, work).found();
-        });
+        const Contender single =
+            contender(set.coherent ? "single" : "glint", set.rays, [&, shadow](const BenchRay& r) {
+                return shadow ? lists.occluded(r.ray, media, r.tMax, kNoShape, work)
+                              : lists.closest(r.ray, media, kInfinity, work).found();
+            });
         const Contender tiles{"glint", [&] { return traceTiles(lists, set.rays, work, few); }};
         std::vector<Contender> contenders{
             set.coherent ? tiles : single,
-            contender("embree", set.rays,
-                      [&, shadow](const BenchRay& r) { return shadow ? embree.occluded(r) : embree.closest(r); })};
+            contender("embree", set.rays, [&, shadow](const BenchRay& r) {
+                return shadow ? embree.occluded(r) : embree.closest(r);
+            })};
         if (set.coherent) contenders.push_back(single);
         if (count <= 1000)
             contenders.push_back(contender("double", set.rays, [&, shadow](const BenchRay& r) {
-                return shadow ? scalar.occluded(r.ray, media, r.tMax, kNoShape) : scalar.closest(r.ray, media).found();
+                return shadow ? scalar.occluded(r.ray, media, r.tMax, kNoShape)
+                              : scalar.closest(r.ray, media).found();
             }));
         const PacketBalls packets(shapes);
-        if (kind == FieldOf::Balls && count <= kFlatShapes && set.coherent && PacketBalls::isSupported())
+        if (kind == FieldOf::Balls && count <= kFlatShapes && set.coherent &&
+            PacketBalls::isSupported())
             contenders.push_back({"packets", [&] { return packets.hits(set.rays); }});
-        report(std::string(kind == FieldOf::Balls ? "balls " : "mixed ") + set.name, count, contenders, rows);
+        report(std::string(kind == FieldOf::Balls ? "balls " : "mixed ") + set.name, count,
+               contenders, rows);
     }
 }
 
-/// Nanoseconds of a ray at one torus: rays that meet its bounding ball, and rays that miss it (NUMERICS P2).
+/// Nanoseconds of a ray at one torus: rays that meet its bounding ball, and rays that miss it
+/// (NUMERICS P2).
 void measureTorus(Json& json) {
     ShapeInstance torus;
     torus.shape = CanonicalTorus{0.25};
@@ -195,12 +205,15 @@ void measureTorus(Json& json) {
     std::vector<BenchRay> meeting, missing;
     while (meeting.size() < kRays || missing.size() < kRays) {
         const BenchRay r{{random.point(), random.direction()}, kInfinity};
-        const double along = glm::dot(-r.ray.origin, r.ray.direction), nearest = glm::length(r.ray.origin + std::max(along, 0.0) * r.ray.direction);
+        const double along = glm::dot(-r.ray.origin, r.ray.direction),
+                     nearest = glm::length(r.ray.origin + std::max(along, 0.0) * r.ray.direction);
         std::vector<BenchRay>& to = nearest < 1.25 ? meeting : missing;
         if (to.size() < kRays) to.push_back(r);
     }
     const auto nanoseconds = [&](const std::vector<BenchRay>& rays) {
-        Contender c = contender("torus", rays, [&](const BenchRay& r) { return lists.closest(r.ray, media, kInfinity, work).found(); });
+        Contender c = contender("torus", rays, [&](const BenchRay& r) {
+            return lists.closest(r.ray, media, kInfinity, work).found();
+        });
         for (int run = 0; run < kRuns; ++run) c.run();
         return 1e9 / c.median();
     };
@@ -208,22 +221,31 @@ void measureTorus(Json& json) {
     // Among many, whose bounds are tested eight at a time.
     constexpr std::size_t kTori = 64;
     std::vector<ShapeInstance> many(kTori, torus);
-    for (std::size_t i = 0; i < kTori; ++i) many[i].center = 20.0 * kHalfSize * DVec3(i % 4, 4 + i / 16, i / 4 % 4);
+    for (std::size_t i = 0; i < kTori; ++i)
+        many[i].center = 20.0 * kHalfSize * DVec3(i % 4, 4 + i / 16, i / 4 % 4);
     const ShapeLists list(many);
-    Contender c = contender("tori", missing, [&](const BenchRay& r) { return list.closest({r.ray.origin, {0, -1, 0}}, media, kInfinity, work).found(); });
+    Contender c = contender("tori", missing, [&](const BenchRay& r) {
+        return list.closest({r.ray.origin, {0, -1, 0}}, media, kInfinity, work).found();
+    });
     for (int run = 0; run < kRuns; ++run) c.run();
     const double shareOfMany = 1e9 / c.median() / kTori;
-    std::printf("one torus: %.0f ns a ray that meets its bounding ball, %.1f ns a ray that misses it, %.2f ns each of %zu that it misses\n", meets, misses, shareOfMany, kTori);
+    std::printf(
+        "one torus: %.0f ns a ray that meets its bounding ball, %.1f ns a ray that misses it, %.2f "
+        "ns each of %zu that it misses\n",
+        meets, misses, shareOfMany, kTori);
     json = {{"ns_meeting", meets}, {"ns_missing", misses}, {"ns_missing_among_many", shareOfMany}};
 }
 
 int runRays(const std::string& jsonFile) {
     if (!canWrite(jsonFile)) return kCannotWrite;
     std::printf("One thread, the same rays for both, %d runs in turn: about two minutes.\n", kRuns);
-    const std::vector<RaySet> sets{{"primary", cameraRays(kSide), false, true}, {"incoherent", incoherentRays(kRays), false, false}, {"shadow", incoherentRays(kRays), true, false}};
+    const std::vector<RaySet> sets{{"primary", cameraRays(kSide), false, true},
+                                   {"incoherent", incoherentRays(kRays), false, false},
+                                   {"shadow", incoherentRays(kRays), true, false}};
     Json json{{"rows", Json::array()}};
     for (const FieldOf kind : {FieldOf::Balls, FieldOf::Mixed})
-        for (const std::size_t count : {1, 2, 3, 4, 8, 16, 64, 128, 129, 1000, 100000}) measure(kind, count, sets, json["rows"]);
+        for (const std::size_t count : {1, 2, 3, 4, 8, 16, 64, 128, 129, 1000, 100000})
+            measure(kind, count, sets, json["rows"]);
     measureTorus(json["torus"]);
     return writeJson(jsonFile, json) ? kOk : kCannotWrite;
 }
@@ -231,7 +253,8 @@ int runRays(const std::string& jsonFile) {
 }  // namespace
 
 Command raysCommand(CLI::App& root) {
-    CLI::App* app = root.add_subcommand("rays", "Rays a second on one thread against Embree's sphere points");
+    CLI::App* app =
+        root.add_subcommand("rays", "Rays a second on one thread against Embree's sphere points");
     auto json = std::make_shared<std::string>();
     app->add_option("--json", *json, "Write the figures to this file as JSON");
     return {app, [json] { return runRays(*json); }};

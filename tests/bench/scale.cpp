@@ -46,10 +46,12 @@ double secondsARay(int runs, const std::vector<BenchRay>& rays, Trace&& trace) {
 
 /// One number of shapes.
 struct ShapePoint {
-    double count = 0, nanoseconds = 0, nodes = 0, buildSeconds = 0, moveSeconds = 0, hierarchyBytes = 0, shapeBytes = 0;  ///< of one ray; bytes a shape
+    double count = 0, nanoseconds = 0, nodes = 0, buildSeconds = 0, moveSeconds = 0,
+           hierarchyBytes = 0, shapeBytes = 0;  ///< of one ray; bytes a shape
 };
 
-ShapePoint measureShapes(const ScaleOptions& options, std::size_t count, FieldOf kind, const std::vector<BenchRay>& rays) {
+ShapePoint measureShapes(const ScaleOptions& options, std::size_t count, FieldOf kind,
+                         const std::vector<BenchRay>& rays) {
     std::vector<ShapeInstance> shapes = makeShapes(count, kind);
     const Stopwatch watch;
     const ShapeLists lists(shapes);
@@ -62,7 +64,9 @@ ShapePoint measureShapes(const ScaleOptions& options, std::size_t count, FieldOf
     out.count = n;
     out.nodes = static_cast<double>(work[Work::NodeVisits]) / static_cast<double>(rays.size());
     double sum = 0;  // Keeps the answers from being optimised away.
-    out.nanoseconds = 1e9 * secondsARay(options.runs, rays, [&](const BenchRay& r) { sum += lists.closest(r.ray, media, kInfinity, work).found(); });
+    out.nanoseconds = 1e9 * secondsARay(options.runs, rays, [&](const BenchRay& r) {
+                          sum += lists.closest(r.ray, media, kInfinity, work).found();
+                      });
     const std::vector<ShapeInstance> before = shapes;
     shapes.front().center.x += 0.01 * kHalfSize;
     const Stopwatch moved;
@@ -75,7 +79,9 @@ ShapePoint measureShapes(const ScaleOptions& options, std::size_t count, FieldOf
 }
 
 /// How much faster than a logarithm node visits grow from `from` to `to`: 1 is as a logarithm.
-double beyondLogarithm(const ShapePoint& from, const ShapePoint& to) { return to.nodes / from.nodes / (std::log(to.count) / std::log(from.count)); }
+double beyondLogarithm(const ShapePoint& from, const ShapePoint& to) {
+    return to.nodes / from.nodes / (std::log(to.count) / std::log(from.count));
+}
 
 class ScaleBench {
   public:
@@ -83,30 +89,41 @@ class ScaleBench {
 
     int run() {
         if (!canWrite(options_.json) || !canWrite(options_.plot)) return kCannotWrite;
-        std::printf("Shapes up to %zu (about a minute and 250 bytes a shape at ten million), lights up to %d, threads up to %u.\n\n", options_.mostShapes,
-                    options_.mostLights, std::thread::hardware_concurrency());
+        std::printf(
+            "Shapes up to %zu (about a minute and 250 bytes a shape at ten million), lights up to "
+            "%d, threads up to %u.\n\n",
+            options_.mostShapes, options_.mostLights, std::thread::hardware_concurrency());
         shapes(FieldOf::Balls, "balls");
         shapes(FieldOf::Mixed, "mixed");
         edits();
         lights();
         threads();
-        return writeJson(options_.json, json_) && writeText(options_.plot, svgOf(plot_)) ? kOk : kCannotWrite;
+        return writeJson(options_.json, json_) && writeText(options_.plot, svgOf(plot_))
+                   ? kOk
+                   : kCannotWrite;
     }
 
   private:
     void shapes(FieldOf kind, const char* name) {
         const std::vector<BenchRay> rays = incoherentRays(kRays);
-        Table table({std::string(name), "ns a ray", "nodes a ray", "build [s]", "one moves [s]", "hierarchy [B/shape]", "shape [B/shape]"});
+        Table table({std::string(name), "ns a ray", "nodes a ray", "build [s]", "one moves [s]",
+                     "hierarchy [B/shape]", "shape [B/shape]"});
         std::vector<ShapePoint> points;
         PlotCurve curve{std::string(name) + " [ns a ray]", {}};
         for (std::size_t count = 10; count <= options_.mostShapes; count *= 10) {
             const ShapePoint p = measureShapes(options_, count, kind, rays);
             points.push_back(p);
             curve.points.push_back({p.count, p.nanoseconds, 0});
-            table.add({format("%zu", count), format("%.0f", p.nanoseconds), format("%.2f", p.nodes), format("%.4f", p.buildSeconds), format("%.4f", p.moveSeconds), format("%.1f", p.hierarchyBytes),
-                       format("%.1f", p.shapeBytes)});
-            json_["shapes"][name].push_back({{"count", p.count}, {"ns_per_ray", p.nanoseconds}, {"nodes_per_ray", p.nodes}, {"build_seconds", p.buildSeconds}, {"move_seconds", p.moveSeconds},
-                                             {"hierarchy_bytes", p.hierarchyBytes}, {"shape_bytes", p.shapeBytes}});
+            table.add({format("%zu", count), format("%.0f", p.nanoseconds), format("%.2f", p.nodes),
+                       format("%.4f", p.buildSeconds), format("%.4f", p.moveSeconds),
+                       format("%.1f", p.hierarchyBytes), format("%.1f", p.shapeBytes)});
+            json_["shapes"][name].push_back({{"count", p.count},
+                                             {"ns_per_ray", p.nanoseconds},
+                                             {"nodes_per_ray", p.nodes},
+                                             {"build_seconds", p.buildSeconds},
+                                             {"move_seconds", p.moveSeconds},
+                                             {"hierarchy_bytes", p.hierarchyBytes},
+                                             {"shape_bytes", p.shapeBytes}});
         }
         plot_.curves.push_back(std::move(curve));
         std::printf("%s", table.markdown().c_str());
@@ -124,10 +141,17 @@ class ScaleBench {
         if (counts.size() < 2) return void(std::printf("\n"));
         const ShapePoint &from = points[points.size() - counts.size()], &to = points.back();
         const PowerLaw law = fitPowerLaw(counts, times);
-        std::printf("from %.0f to %.0f: time x %.2f, as count^%.3f; node visits x %.2f, which is %.2f times a logarithm's growth\n\n", from.count, to.count,
-                    to.nanoseconds / from.nanoseconds, law.slope, to.nodes / from.nodes, beyondLogarithm(from, to));
-        json_["growth"][name] = {{"from", from.count}, {"to", to.count}, {"time_factor", to.nanoseconds / from.nanoseconds}, {"time_exponent", law.slope},
-                                 {"node_factor", to.nodes / from.nodes}, {"node_factor_over_logarithm", beyondLogarithm(from, to)}};
+        std::printf(
+            "from %.0f to %.0f: time x %.2f, as count^%.3f; node visits x %.2f, which is %.2f "
+            "times a logarithm's growth\n\n",
+            from.count, to.count, to.nanoseconds / from.nanoseconds, law.slope,
+            to.nodes / from.nodes, beyondLogarithm(from, to));
+        json_["growth"][name] = {{"from", from.count},
+                                 {"to", to.count},
+                                 {"time_factor", to.nanoseconds / from.nanoseconds},
+                                 {"time_exponent", law.slope},
+                                 {"node_factor", to.nodes / from.nodes},
+                                 {"node_factor_over_logarithm", beyondLogarithm(from, to)}};
     }
 
     /// A floor and balls under a grid of lamps of one total power.
@@ -139,7 +163,8 @@ class ScaleBench {
         scene.camera.position = {0, 6, 14};
         scene.camera.target = {0, 0.5, 0};
         const MaterialId clay = scene.materials.add({"Clay", Diffuse{}});
-        const auto add = [&](const Shape& shape, MaterialId material, const DVec3& at, const Color& emission) {
+        const auto add = [&](const Shape& shape, MaterialId material, const DVec3& at,
+                             const Color& emission) {
             Object object;
             object.name = "Object " + std::to_string(scene.objects.size() + 1);
             object.shape = shape;
@@ -149,11 +174,14 @@ class ScaleBench {
             scene.objects.add(std::move(object));
         };
         add(Plane{}, clay, {0, 0, 0}, {});
-        for (int i = 0; i < 16; ++i) add(Sphere{0.5}, clay, {2.0 * (i % 4) - 3, 0.5, 2.0 * (i / 4) - 3}, {});
+        for (int i = 0; i < 16; ++i)
+            add(Sphere{0.5}, clay, {2.0 * (i % 4) - 3, 0.5, 2.0 * (i / 4) - 3}, {});
         const int side = static_cast<int>(std::ceil(std::sqrt(lamps)));
         const double radius = 0.05, power = 3000.0 / lamps;
         for (int i = 0; i < lamps; ++i)
-            add(Sphere{radius}, {}, {10.0 * (i % side + 0.5) / side - 5, 3, 10.0 * (i / side + 0.5) / side - 5}, {power, power, power});
+            add(Sphere{radius}, {},
+                {10.0 * (i % side + 0.5) / side - 5, 3, 10.0 * (i / side + 0.5) / side - 5},
+                {power, power, power});
         return scene;
     }
 
@@ -161,7 +189,8 @@ class ScaleBench {
     struct LightPoint {
         double seconds = 0, error = 0;
     };
-    LightPoint renderScene(const Scene& scene, int threads, double Rendering::* passed = nullptr) const {
+    LightPoint renderScene(const Scene& scene, int threads,
+                           double Rendering::*passed = nullptr) const {
         AssetCache assets;
         const Result<Compiled> compiled = compile(scene, {}, assets);
         std::vector<double> seconds;
@@ -177,13 +206,15 @@ class ScaleBench {
 
     /// What it takes to compile a scene again after one of its objects or its camera has moved.
     void edits() {
-        Table table({"objects", "compiled at first [ms]", "one moved [ms]", "the camera moved [ms]"});
+        Table table(
+            {"objects", "compiled at first [ms]", "one moved [ms]", "the camera moved [ms]"});
         for (const int objects : {100, 1000, 10000}) {
             Scene scene = lampScene(4);
             const ObjectId last = scene.objects.ids().back();
             const MaterialId clay = scene.materials.ids().front();
             for (int i = 0; i < objects; ++i) {
-                Object object{.name = "Grain " + std::to_string(i), .shape = Sphere{0.01}, .material = clay};
+                Object object{
+                    .name = "Grain " + std::to_string(i), .shape = Sphere{0.01}, .material = clay};
                 object.transform.translate = {0.1 * (i % 100) - 5, 0.01, 0.1 * (i / 100) - 5};
                 scene.objects.add(std::move(object));
             }
@@ -204,8 +235,12 @@ class ScaleBench {
                 compiled = withView(*compiled, scene).value();
                 seen.push_back(1e3 * view.wallSeconds());
             }
-            table.add({format("%d", objects), format("%.2f", median(first)), format("%.2f", median(moved)), format("%.3f", median(seen))});
-            json_["edits"].push_back({{"objects", objects}, {"first_ms", median(first)}, {"moved_ms", median(moved)}, {"view_ms", median(seen)}});
+            table.add({format("%d", objects), format("%.2f", median(first)),
+                       format("%.2f", median(moved)), format("%.3f", median(seen))});
+            json_["edits"].push_back({{"objects", objects},
+                                      {"first_ms", median(first)},
+                                      {"moved_ms", median(moved)},
+                                      {"view_ms", median(seen)}});
         }
         std::printf("%s\n", table.markdown().c_str());
     }
@@ -217,11 +252,14 @@ class ScaleBench {
             Scene scene = lampScene(lamps);
             scene.render.spp = 16;
             const LightPoint p = renderScene(scene, 1);
-            const double microseconds = 1e6 * p.seconds / (scene.film.width * scene.film.height * scene.render.spp);
+            const double microseconds =
+                1e6 * p.seconds / (scene.film.width * scene.film.height * scene.render.spp);
             counts.push_back(lamps);
             times.push_back(microseconds);
-            table.add({format("%d", lamps), format("%.2f", microseconds), format("%.2f", 100 * p.error)});
-            json_["lights"].push_back({{"count", lamps}, {"us_per_sample", microseconds}, {"error", p.error}});
+            table.add(
+                {format("%d", lamps), format("%.2f", microseconds), format("%.2f", 100 * p.error)});
+            json_["lights"].push_back(
+                {{"count", lamps}, {"us_per_sample", microseconds}, {"error", p.error}});
         }
         std::printf("%s", table.markdown().c_str());
         if (counts.size() < 2) return;
@@ -241,8 +279,10 @@ class ScaleBench {
         for (int count = 1; count <= most; ++count) {
             const double seconds = renderScene(scene, count, &Rendering::seconds).seconds;
             if (count == 1) single = seconds;
-            table.add({format("%d", count), format("%.3f", seconds), format("%.2f", single / seconds)});
-            json_["threads"].push_back({{"count", count}, {"seconds", seconds}, {"speed_up", single / seconds}});
+            table.add(
+                {format("%d", count), format("%.3f", seconds), format("%.2f", single / seconds)});
+            json_["threads"].push_back(
+                {{"count", count}, {"seconds", seconds}, {"speed_up", single / seconds}});
         }
         std::printf("%s", table.markdown().c_str());
     }
@@ -256,10 +296,18 @@ class ScaleBench {
 
 Command scaleCommand(CLI::App& root) {
     auto options = std::make_shared<ScaleOptions>();
-    CLI::App* app = root.add_subcommand("scale", "Growth of time, node visits and memory with shapes and lights; threads (minutes)");
-    app->add_option("--shapes", options->mostShapes, "Most shapes")->check(CLI::Range(10, 100'000'000))->capture_default_str();
-    app->add_option("--lights", options->mostLights, "Most lights")->check(CLI::Range(1, 100'000))->capture_default_str();
-    app->add_option("--runs", options->runs, "Runs of each; the median counts")->check(CLI::Range(1, 1000))->capture_default_str();
+    CLI::App* app = root.add_subcommand(
+        "scale",
+        "Growth of time, node visits and memory with shapes and lights; threads (minutes)");
+    app->add_option("--shapes", options->mostShapes, "Most shapes")
+        ->check(CLI::Range(10, 100'000'000))
+        ->capture_default_str();
+    app->add_option("--lights", options->mostLights, "Most lights")
+        ->check(CLI::Range(1, 100'000))
+        ->capture_default_str();
+    app->add_option("--runs", options->runs, "Runs of each; the median counts")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
     app->add_option("--plot", options->plot, "Write the curves to this SVG file");
     app->add_option("--json", options->json, "Write the figures to this file as JSON");
     return {app, [options] { return ScaleBench(*options).run(); }};

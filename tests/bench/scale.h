@@ -1,4 +1,5 @@
-// glint-bench scale: how time, node visits and memory grow with shapes and lights, and how threads share the work.
+// glint-bench scale: how time, node visits and memory grow with shapes and lights, and how threads
+// share the work.
 #pragma once
 
 #include "tests/bench/command.h"

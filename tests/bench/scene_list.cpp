@@ -15,7 +15,8 @@ std::vector<std::string> scenesIn(const std::vector<std::string>& folders) {
     for (const std::string& folder : folders) {
         std::vector<std::string> found;
         std::error_code missing;
-        for (const auto& entry : std::filesystem::directory_iterator(test::inSource(folder), missing))
+        for (const auto& entry :
+             std::filesystem::directory_iterator(test::inSource(folder), missing))
             if (entry.path().extension() == ".json") found.push_back(entry.path().string());
         std::sort(found.begin(), found.end());
         out.insert(out.end(), found.begin(), found.end());
@@ -23,7 +24,8 @@ std::vector<std::string> scenesIn(const std::vector<std::string>& folders) {
     return out;
 }
 
-void addSceneFiles(CLI::App& app, std::vector<std::string>& files, const std::string& what, const std::vector<std::string>& folders) {
+void addSceneFiles(CLI::App& app, std::vector<std::string>& files, const std::string& what,
+                   const std::vector<std::string>& folders) {
     files = scenesIn(folders);
     app.add_option("FILES", files, "Scene files; by default " + what)->check(CLI::ExistingFile);
 }
@@ -34,7 +36,8 @@ void scaleFilm(Scene& scene, int width) {
     scene.film.height = std::max(1, static_cast<int>(std::lround(width * shape)));
 }
 
-Result<LoadedScene> loadScaled(const std::string& file, int width, const std::function<void(Scene&)>& change) {
+Result<LoadedScene> loadScaled(const std::string& file, int width,
+                               const std::function<void(Scene&)>& change) {
     const std::filesystem::path path(file);
     Result<Scene> scene = loadScene(file);
     if (!scene) return scene.error();

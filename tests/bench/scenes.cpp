@@ -7,8 +7,8 @@
 #include "tests/bench/output.h"
 #include "tracer/compile/compiler.h"
 #include "tracer/io/scene_json.h"
-#include "tracer/render/render.h"
 #include "tracer/math/statistics.h"
+#include "tracer/render/render.h"
 
 namespace glint::bench {
 
@@ -57,8 +57,9 @@ bool measure(const SceneBenchOptions& options, const std::string& file, Figures&
     return true;
 }
 
-/// Renders the scenes in turn at 320 x 180 and prints a table: compile time, time, rays a second, error of the picture (see
-/// pictureError in tracer/render/tile_error.h) and efficiency 1 / (error^2 * time).
+/// Renders the scenes in turn at 320 x 180 and prints a table: compile time, time, rays a second,
+/// error of the picture (see pictureError in tracer/render/tile_error.h) and efficiency 1 /
+/// (error^2 * time).
 int runScenes(const SceneBenchOptions& options) {
     if (!canWrite(options.json)) return kCannotWrite;
     std::vector<Figures> all(options.files.size());
@@ -66,13 +67,22 @@ int runScenes(const SceneBenchOptions& options) {
         for (std::size_t i = 0; i < options.files.size(); ++i)
             if (!measure(options, options.files[i], all[i])) return kBadScene;
 
-    std::printf("| scene | compile [ms] | render [s] | Mray/s | error [%%] | efficiency [1/s] |\n|---|---|---|---|---|---|\n");
+    std::printf(
+        "| scene | compile [ms] | render [s] | Mray/s | error [%%] | efficiency [1/s] "
+        "|\n|---|---|---|---|---|---|\n");
     Json json = Json::array();
     for (const Figures& f : all) {
-        const double compileSeconds = median(f.compileSeconds), seconds = median(f.seconds), rays = median(f.raysPerSecond);
+        const double compileSeconds = median(f.compileSeconds), seconds = median(f.seconds),
+                     rays = median(f.raysPerSecond);
         const double efficiency = 1 / (f.error * f.error * seconds);
-        std::printf("| %s | %.1f | %.3f | %.2f | %.2f | %.1f |\n", f.name.c_str(), 1e3 * compileSeconds, seconds, 1e-6 * rays, 100 * f.error, efficiency);
-        json.push_back({{"scene", f.name}, {"compile_seconds", compileSeconds}, {"render_seconds", seconds}, {"rays_per_second", rays}, {"error", f.error}, {"efficiency", efficiency}});
+        std::printf("| %s | %.1f | %.3f | %.2f | %.2f | %.1f |\n", f.name.c_str(),
+                    1e3 * compileSeconds, seconds, 1e-6 * rays, 100 * f.error, efficiency);
+        json.push_back({{"scene", f.name},
+                        {"compile_seconds", compileSeconds},
+                        {"render_seconds", seconds},
+                        {"rays_per_second", rays},
+                        {"error", f.error},
+                        {"efficiency", efficiency}});
     }
     return writeJson(options.json, json) ? kOk : kCannotWrite;
 }
@@ -81,11 +91,15 @@ int runScenes(const SceneBenchOptions& options) {
 
 Command scenesCommand(CLI::App& root) {
     auto options = std::make_shared<SceneBenchOptions>();
-    CLI::App* app = root.add_subcommand("scenes", "Speed, error and efficiency of the path integrator on scenes");
+    CLI::App* app = root.add_subcommand(
+        "scenes", "Speed, error and efficiency of the path integrator on scenes");
     app->add_option("FILES", options->files, "Scene files")->required()->check(CLI::ExistingFile);
-    app->add_option("--spp", options->spp, "Samples a pixel, a power of two")->check(CLI::Range(2, 65536));
-    app->add_option("--threads", options->threads, "Threads; 0 is one a processor")->check(CLI::Range(0, 4096));
-    app->add_option("--runs", options->runs, "Runs of each scene, in turn; the median counts")->check(CLI::Range(1, 100));
+    app->add_option("--spp", options->spp, "Samples a pixel, a power of two")
+        ->check(CLI::Range(2, 65536));
+    app->add_option("--threads", options->threads, "Threads; 0 is one a processor")
+        ->check(CLI::Range(0, 4096));
+    app->add_option("--runs", options->runs, "Runs of each scene, in turn; the median counts")
+        ->check(CLI::Range(1, 100));
     app->add_option("--json", options->json, "Write the figures to this file as JSON");
     return {app, [options] { return runScenes(*options); }};
 }

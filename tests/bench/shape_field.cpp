@@ -8,8 +8,10 @@ namespace glint::bench {
 
 namespace {
 
-ShapeInstance instanceOf(const CanonicalShape& shape, std::size_t count, Random& random, bool turned) {
-    const double size = random(0.5, 1.5) * 0.25 * 2 * kHalfSize / std::cbrt(static_cast<double>(count));
+ShapeInstance instanceOf(const CanonicalShape& shape, std::size_t count, Random& random,
+                         bool turned) {
+    const double size =
+        random(0.5, 1.5) * 0.25 * 2 * kHalfSize / std::cbrt(static_cast<double>(count));
     ShapeInstance out;
     out.shape = shape;
     out.center = random.point();
@@ -26,14 +28,16 @@ ShapeInstance instanceOf(const CanonicalShape& shape, std::size_t count, Random&
 }  // namespace
 
 std::vector<ShapeInstance> makeShapes(std::size_t count, FieldOf kind) {
-    const CanonicalShape kinds[] = {CanonicalSphere{}, CanonicalBox{},  CanonicalQuad{},      CanonicalDisk{},
-                                    CanonicalCylinder{}, CanonicalCone{}, CanonicalTorus{0.25}};
+    const CanonicalShape kinds[] = {CanonicalSphere{},   CanonicalBox{},      CanonicalQuad{},
+                                    CanonicalDisk{},     CanonicalCylinder{}, CanonicalCone{},
+                                    CanonicalTorus{0.25}};
     Random random;
     std::vector<ShapeInstance> out;
     out.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t k = kind == FieldOf::Mixed ? i % 8 : 0;
-        out.push_back(instanceOf(kinds[k == 7 ? 0 : k], count, random, kind == FieldOf::Mixed && k != 7));
+        out.push_back(
+            instanceOf(kinds[k == 7 ? 0 : k], count, random, kind == FieldOf::Mixed && k != 7));
     }
     return out;
 }
@@ -64,7 +68,8 @@ std::vector<BenchRay> cameraRays(int side) {
     for (int top = 0; top < side; top += kBenchTile)
         for (int left = 0; left < side; left += kBenchTile)
             for (int y = top; y < top + kBenchTile; ++y)
-                for (int x = left; x < left + kBenchTile; ++x) rays.push_back({camera.ray(x + 0.5, y + 0.5), kInfinity});
+                for (int x = left; x < left + kBenchTile; ++x)
+                    rays.push_back({camera.ray(x + 0.5, y + 0.5), kInfinity});
     return rays;
 }
 

@@ -1,4 +1,5 @@
-// glint-bench startup: how long glint-render takes from its start to the end of a small picture, and the editor to its first.
+// glint-bench startup: how long glint-render takes from its start to the end of a small picture,
+// and the editor to its first.
 #pragma once
 
 #include "tests/bench/command.h"

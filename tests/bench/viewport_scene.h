@@ -10,7 +10,8 @@
 namespace glint::bench {
 
 enum class EditKind { Camera, Material, Light, Transform };
-inline constexpr std::array kEditKinds = {EditKind::Camera, EditKind::Material, EditKind::Light, EditKind::Transform};
+inline constexpr std::array kEditKinds = {EditKind::Camera, EditKind::Material, EditKind::Light,
+                                          EditKind::Transform};
 [[nodiscard]] std::string nameOf(EditKind kind);
 
 /// One edit. Where the scene has nothing of the kind the camera moves instead.

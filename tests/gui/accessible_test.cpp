@@ -1,4 +1,5 @@
-// Everything that can be operated has a name for those who hear it read, and can be reached by keyboard.
+// Everything that can be operated has a name for those who hear it read, and can be reached by
+// keyboard.
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
@@ -21,20 +22,25 @@ using namespace test;
 namespace {
 
 bool canBeOperated(const QWidget* widget) {
-    return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QComboBox*>(widget) ||
-           qobject_cast<const QAbstractItemView*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget);
+    return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QLineEdit*>(widget) ||
+           qobject_cast<const QComboBox*>(widget) ||
+           qobject_cast<const QAbstractItemView*>(widget) ||
+           qobject_cast<const QAbstractSpinBox*>(widget);
 }
 
 /// Parts that Qt makes: the whole they belong to speaks for them.
 bool isPart(const QWidget* widget) {
     for (const QWidget* up = widget->parentWidget(); up; up = up->parentWidget())
-        if (qobject_cast<const QComboBox*>(up) || qobject_cast<const QLineEdit*>(up) || qobject_cast<const QAbstractSpinBox*>(up) || qobject_cast<const QAbstractItemView*>(up)) return true;
+        if (qobject_cast<const QComboBox*>(up) || qobject_cast<const QLineEdit*>(up) ||
+            qobject_cast<const QAbstractSpinBox*>(up) || qobject_cast<const QAbstractItemView*>(up))
+            return true;
     return widget->objectName().startsWith("qt_");
 }
 
 QString placeOf(const QWidget* widget) {
     QStringList way;
-    for (; widget; widget = widget->parentWidget()) way.prepend(QString(widget->metaObject()->className()) + ' ' + widget->objectName());
+    for (; widget; widget = widget->parentWidget())
+        way.prepend(QString(widget->metaObject()->className()) + ' ' + widget->objectName());
     return way.join(" / ");
 }
 
@@ -53,7 +59,8 @@ QStringList nameless(const QWidget& root) {
 QStringList unreachable(const QWidget& root) {
     QStringList out;
     for (QWidget* widget : root.findChildren<QWidget*>()) {
-        const bool field = qobject_cast<QLineEdit*>(widget) || qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractItemView*>(widget);
+        const bool field = qobject_cast<QLineEdit*>(widget) || qobject_cast<QComboBox*>(widget) ||
+                           qobject_cast<QAbstractItemView*>(widget);
         if (!field || isPart(widget) || !widget->isVisibleTo(&root)) continue;
         if (!(widget->focusPolicy() & Qt::TabFocus)) out << placeOf(widget);
     }
@@ -82,7 +89,8 @@ class AccessibleTest : public QObject {
         }
     }
     void everythingInDialogsHasAName() {
-        for (const char* id : {"file.export", "edit.preferences", "help.shortcuts", "render.errorReport"}) {
+        for (const char* id :
+             {"file.export", "edit.preferences", "help.shortcuts", "render.errorReport"}) {
             window_->actions()[id]->trigger();
             QCoreApplication::processEvents();
             for (QDialog* dialog : window_->findChildren<QDialog*>()) {

@@ -12,7 +12,9 @@ using namespace test;
 class DocumentTest : public QObject {
     Q_OBJECT
 
-    static Scene renamedBall(const Document& document, const char* name) { return renamed(document.committed(), kBall, name); }
+    static Scene renamedBall(const Document& document, const char* name) {
+        return renamed(document.committed(), kBall, name);
+    }
 
   private slots:
     void everyEditUndoesAndRedoes() {
@@ -156,7 +158,8 @@ class DocumentTest : public QObject {
         const Scene scene = smallScene();
         const Item light = Item::of(LightId{1});
         const Scene moved = transformed(scene, light, Affine{DMat3(1.0), {1, 2, 3}});
-        QVERIFY(worldFromItem(moved, light).translation == worldFromItem(scene, light).translation + DVec3(1, 2, 3));
+        QVERIFY(worldFromItem(moved, light).translation ==
+                worldFromItem(scene, light).translation + DVec3(1, 2, 3));
     }
 };
 

@@ -1,4 +1,5 @@
-// Exports: the dialog's fields, the queue with pause and cancel, sequences, and that glint-render finds the same bits.
+// Exports: the dialog's fields, the queue with pause and cancel, sequences, and that glint-render
+// finds the same bits.
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -45,9 +46,13 @@ class ExportTest : public QObject {
     std::unique_ptr<MainWindow> window_;
     ExportDialog* dialog_ = nullptr;
 
-    [[nodiscard]] std::filesystem::path file(const char* name) const { return toPath(folder_.filePath(name)); }
+    [[nodiscard]] std::filesystem::path file(const char* name) const {
+        return toPath(folder_.filePath(name));
+    }
     ExportQueue& queue() { return window_->exports(); }
-    [[nodiscard]] State stateOf(std::size_t index) const { return window_->exports().entries().at(index).state; }
+    [[nodiscard]] State stateOf(std::size_t index) const {
+        return window_->exports().entries().at(index).state;
+    }
 
     template <class W>
     W* field(const char* name) {
@@ -157,7 +162,8 @@ class ExportTest : public QObject {
         QCOMPARE(alpha[24 * 64 + 32], 1.0f);
         QCOMPARE(alpha[24 * 64 + 50], 0.0f);
         QProcess verify;
-        verify.start(GLINT_RENDER_PATH, {"--verify", pathText(file("part.png")), pathText(file("scene.json"))});
+        verify.start(GLINT_RENDER_PATH,
+                     {"--verify", pathText(file("part.png")), pathText(file("scene.json"))});
         QVERIFY(verify.waitForFinished(kPatienceMs));
         const QByteArray said = verify.readAllStandardError();
         QVERIFY2(verify.exitCode() == 0 && said.contains("bit for bit"), said);
@@ -168,10 +174,15 @@ class ExportTest : public QObject {
         document.edit(duplicated(document.committed(), {kBall}).scene, "Duplicate");
         document.edit(removed(document.committed(), {kBall}), "Delete");
         QVERIFY(window_->files().saveTo(file("edited.json")));
-        queue().add({document.committed(), document.assetFolder(), file("edited.exr"), {.bits = 16, .layers = true}, {}});
+        queue().add({document.committed(),
+                     document.assetFolder(),
+                     file("edited.exr"),
+                     {.bits = 16, .layers = true},
+                     {}});
         waitUntilIdle();
         QProcess verify;
-        verify.start(GLINT_RENDER_PATH, {"--verify", pathText(file("edited.exr")), pathText(file("edited.json"))});
+        verify.start(GLINT_RENDER_PATH,
+                     {"--verify", pathText(file("edited.exr")), pathText(file("edited.json"))});
         QVERIFY(verify.waitForFinished(kPatienceMs));
         const QByteArray said = verify.readAllStandardError();
         QVERIFY2(verify.exitCode() == 0 && said.contains("with layers"), said);
@@ -185,7 +196,9 @@ class ExportTest : public QObject {
         QVERIFY(field<QLabel>("hint")->text().contains("turn_0001.png"));
         QTest::mouseClick(field<QPushButton>("start"), Qt::LeftButton);
         waitUntilIdle();
-        for (const char* name : {"turn_0001.png", "turn_0002.png", "turn_0003.png", "turn_0004.png"}) QVERIFY2(std::filesystem::exists(file(name)), name);
+        for (const char* name :
+             {"turn_0001.png", "turn_0002.png", "turn_0003.png", "turn_0004.png"})
+            QVERIFY2(std::filesystem::exists(file(name)), name);
         QVERIFY(!std::filesystem::exists(file("turn.png")));
         QVERIFY(!std::filesystem::exists(file("turn_0005.png")));
     }
@@ -213,7 +226,8 @@ class ExportTest : public QObject {
         dock->show();
         dock->raise();
         QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QToolButton*>("exports.clear"), kPatienceMs);
-        auto* pause = window_->findChild<QToolButton*>(QStringLiteral("exports.pause.%1").arg(first));
+        auto* pause =
+            window_->findChild<QToolButton*>(QStringLiteral("exports.pause.%1").arg(first));
         QVERIFY(pause);
         QTest::mouseClick(pause, Qt::LeftButton);
         QCOMPARE(stateOf(0), State::Paused);
@@ -226,7 +240,9 @@ class ExportTest : public QObject {
         QCOMPARE(stateOf(0), State::Running);
         QTRY_VERIFY_WITH_TIMEOUT(queue().entries().front().progress.spp > samples, kPatienceMs);
         QVERIFY(queue().entries().front().progress.error < kInfinity);
-        QTest::mouseClick(window_->findChild<QToolButton*>(QStringLiteral("exports.cancel.%1").arg(first)), Qt::LeftButton);
+        QTest::mouseClick(
+            window_->findChild<QToolButton*>(QStringLiteral("exports.cancel.%1").arg(first)),
+            Qt::LeftButton);
         waitUntilIdle();
         QCOMPARE(stateOf(0), State::Canceled);
         QVERIFY(!std::filesystem::exists(file("first.exr")));

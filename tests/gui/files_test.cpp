@@ -1,4 +1,5 @@
-// What stands on the disk: saving that fails, files that other programs change, drops, and unsaved work after a kill. Run with
+// What stands on the disk: saving that fails, files that other programs change, drops, and unsaved
+// work after a kill. Run with
 // --victim FOLDER this program is the editor that gets killed.
 #include <sys/resource.h>
 
@@ -33,7 +34,9 @@ namespace {
 
 constexpr milliseconds kQuick{200};
 
-Scene numbered(const Scene& scene, int number) { return renamed(scene, kBall, "Ball " + std::to_string(number)); }
+Scene numbered(const Scene& scene, int number) {
+    return renamed(scene, kBall, "Ball " + std::to_string(number));
+}
 
 /// The number of the last edit that a scene holds; 0 for none.
 int numberIn(const Scene& scene) {
@@ -60,7 +63,8 @@ void dropOn(QWidget* widget, const std::filesystem::path& file) {
 
 void click(MessageBar& bar, const QString& text) {
     for (QPushButton* button : bar.findChildren<QPushButton*>())
-        if (button->text() == text && button->isVisible()) return QTest::mouseClick(button, Qt::LeftButton);
+        if (button->text() == text && button->isVisible())
+            return QTest::mouseClick(button, Qt::LeftButton);
     QFAIL(qPrintable("no button " + text));
 }
 
@@ -91,7 +95,8 @@ void keepCopies(MainWindow& window, const std::filesystem::path& folder, millise
 std::ptrdiff_t copiesIn(const std::filesystem::path& recovery) {
     std::error_code none;
     const std::filesystem::directory_iterator files(recovery, none);
-    return std::count_if(begin(files), end(files), [](const auto& file) { return file.path().extension() == ".json"; });
+    return std::count_if(begin(files), end(files),
+                         [](const auto& file) { return file.path().extension() == ".json"; });
 }
 
 /// Edits without end, saves now and then, and reports each edit with its time.
@@ -106,7 +111,8 @@ int beVictim(const std::filesystem::path& folder) {
         document.edit(numbered(document.committed(), ++number), "Rename");
         constexpr int kEditsASave = 150;
         if (number % kEditsASave == 0) window->files().saveTo(folder / "scene.json");
-        std::printf("%d %lld\n", number, static_cast<long long>(QDateTime::currentMSecsSinceEpoch()));
+        std::printf("%d %lld\n", number,
+                    static_cast<long long>(QDateTime::currentMSecsSinceEpoch()));
         std::fflush(stdout);
     });
     timer.start(5);
@@ -120,7 +126,9 @@ class FilesTest : public QObject {
 
     QTemporaryDir folder_;
 
-    [[nodiscard]] std::filesystem::path file(const char* name) const { return toPath(folder_.filePath(name)); }
+    [[nodiscard]] std::filesystem::path file(const char* name) const {
+        return toPath(folder_.filePath(name));
+    }
 
     /// A recovery folder with the copy of a window that ended without a word.
     [[nodiscard]] std::filesystem::path abandonedWork(const std::filesystem::path& original) const {
@@ -154,7 +162,8 @@ class FilesTest : public QObject {
             std::map<int, qint64> times;
             int last = 0;
             for (const QByteArray& line : (told + victim.readAllStandardOutput()).split('\n'))
-                if (const auto words = line.split(' '); words.size() == 2) times[last = words[0].toInt()] = words[1].toLongLong();
+                if (const auto words = line.split(' '); words.size() == 2)
+                    times[last = words[0].toInt()] = words[1].toLongLong();
             QVERIFY(last > 10);
 
             const auto saved = loadScene(folder / "scene.json");
@@ -172,10 +181,13 @@ class FilesTest : public QObject {
                 kept = std::max(kept, numberIn(document.scene()));
             }
             QVERIFY(kept > 0);
-            // The editor's own delay is 20 s where this one is kQuick: what comes on top must fit into the other 10.
+            // The editor's own delay is 20 s where this one is kQuick: what comes on top must fit
+            // into the other 10.
             constexpr qint64 kWriting = 5000;
-            const qint64 lost = kept < last ? times.at(last) - times.at(kept) : 0;  // The last edit may not have been reported.
-            QVERIFY2(lost <= kQuick.count() + kWriting, qPrintable(QString("%1 ms lost").arg(lost)));
+            const qint64 lost = kept < last ? times.at(last) - times.at(kept)
+                                            : 0;  // The last edit may not have been reported.
+            QVERIFY2(lost <= kQuick.count() + kWriting,
+                     qPrintable(QString("%1 ms lost").arg(lost)));
         }
         QVERIFY(PreferenceValues{}.autosaveSeconds + 5 <= 30);
     }
@@ -215,7 +227,10 @@ class FilesTest : public QObject {
         keepCopies(*second, recovery, milliseconds(0));
         QVERIFY(second->autosave().leftovers().empty());
         first->document().edit(numbered(first->document().committed(), 1), "Rename");
-        const auto copies = [&] { return std::distance(std::filesystem::directory_iterator(recovery), std::filesystem::directory_iterator()); };
+        const auto copies = [&] {
+            return std::distance(std::filesystem::directory_iterator(recovery),
+                                 std::filesystem::directory_iterator());
+        };
         QTRY_COMPARE_WITH_TIMEOUT(copies(), 4, kPatienceMs);  // Two locks, a copy and its origin.
         QVERIFY(second->autosave().leftovers().empty());
         // Undone: nothing to keep.
@@ -253,7 +268,8 @@ class FilesTest : public QObject {
             window->actions()["file.save"]->trigger();
         }
         QVERIFY(window->messages().isVisible());
-        QVERIFY2(window->messages().text().contains("Not saved"), qPrintable(window->messages().text()));
+        QVERIFY2(window->messages().text().contains("Not saved"),
+                 qPrintable(window->messages().text()));
         QVERIFY(window->document().isModified());
         QCOMPARE(formatScene(loadScene(file("full.json")).value()), before);
         click(window->messages(), "Save elsewhere…");
@@ -304,14 +320,16 @@ class FilesTest : public QObject {
         QVERIFY(saveLinear(file("dropped.exr"), evenPicture(1), {}).ok());
         const auto window = openWindow();
         dropOn(window.get(), file("dropped.exr"));
-        QTRY_VERIFY_WITH_TIMEOUT(window->document().scene().environment.image.ends_with("dropped.exr"), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            window->document().scene().environment.image.ends_with("dropped.exr"), kPatienceMs);
         QCOMPARE(window->document().undoStack().count(), 1);
     }
     void aMissingEnvironmentIsNamedAndCanBeLeftOut() {
         Scene scene = smallScene();
         scene.environment.image = "nowhere/sky.exr";
         const auto window = openWindow(scene);
-        QTRY_VERIFY_WITH_TIMEOUT(window->messages().text().contains("nowhere/sky.exr"), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(window->messages().text().contains("nowhere/sky.exr"),
+                                 kPatienceMs);
         QPushButton* leave = nullptr;
         for (auto* button : window->messages().findChildren<QPushButton*>())
             if (button->text() == "Leave it out") leave = button;

@@ -1,4 +1,5 @@
-// Hand: a person's mouse and keyboard on a window: menus, fields, lists, each by real events on what is visible.
+// Hand: a person's mouse and keyboard on a window: menus, fields, lists, each by real events on
+// what is visible.
 #pragma once
 
 #include <QApplication>
@@ -28,7 +29,8 @@ class Hand {
     /// Faults so far; each says what the hand could not do.
     [[nodiscard]] const QStringList& faults() const { return faults_; }
 
-    /// A key on the window itself, as the system sends it: the application finds the shortcut or the focused widget.
+    /// A key on the window itself, as the system sends it: the application finds the shortcut or
+    /// the focused widget.
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
         // A closed list or dialog leaves no window active where there is no window manager.
         while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
@@ -66,23 +68,27 @@ class Hand {
     /// A click on the row of the object list that shows `name`.
     void clickRow(const QString& name) {
         QTreeView* tree = window_.objectList().tree();
-        const auto found = tree->model()->match(tree->model()->index(0, 0), Qt::DisplayRole, name, 1, Qt::MatchExactly | Qt::MatchRecursive);
+        const auto found = tree->model()->match(tree->model()->index(0, 0), Qt::DisplayRole, name,
+                                                1, Qt::MatchExactly | Qt::MatchRecursive);
         if (found.isEmpty()) return fault("no row " + name);
         tree->scrollTo(found.first());
-        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualRect(found.first()).center());
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
+                          tree->visualRect(found.first()).center());
         QCoreApplication::processEvents();
     }
     void clickThumbnail(QListWidget* list, const QString& text) {
         const auto found = list->findItems(text, Qt::MatchExactly);
         if (found.isEmpty()) return fault("no picture " + text);
         list->scrollToItem(found.first());
-        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(found.first()).center());
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                          list->visualItemRect(found.first()).center());
     }
 
     // ---- Fields, by their paths ----
 
     void set(const QString& path, double value) {
-        if (auto* number = find<DragNumber>(path)) type(number, QString::number(value, 'g', QLocale::FloatingPointShortest));
+        if (auto* number = find<DragNumber>(path))
+            type(number, QString::number(value, 'g', QLocale::FloatingPointShortest));
         settle();
     }
     void set(const QString& path, int value) { set(path, static_cast<double>(value)); }
@@ -98,7 +104,8 @@ class Hand {
         QTest::mouseClick(button, Qt::LeftButton);
         const double channels[] = {value.r, value.g, value.b};
         for (int i = 0; i < 3; ++i)
-            type(button->popup().findChild<DragNumber*>(QStringLiteral("channel%1").arg(i)), QString::number(channels[i], 'g', QLocale::FloatingPointShortest));
+            type(button->popup().findChild<DragNumber*>(QStringLiteral("channel%1").arg(i)),
+                 QString::number(channels[i], 'g', QLocale::FloatingPointShortest));
         QTest::keyClick(&button->popup(), Qt::Key_Escape);
         if (button->popup().isVisible()) button->popup().close();
         settle();
@@ -113,7 +120,8 @@ class Hand {
         settle();
     }
     void press(const QString& path) {
-        if (auto* box = find<QCheckBox>(path)) QTest::mouseClick(box, Qt::LeftButton, {}, {6, box->height() / 2});
+        if (auto* box = find<QCheckBox>(path))
+            QTest::mouseClick(box, Qt::LeftButton, {}, {6, box->height() / 2});
         settle();
     }
     /// Opens the list and goes to the entry by arrow keys.
@@ -129,7 +137,7 @@ class Hand {
         settle();
     }
     template <class Enum>
-        requires std::is_enum_v<Enum>
+    requires std::is_enum_v<Enum>
     void set(const QString& path, Enum value) {
         choose(path, labelOf(enumNames(value)[static_cast<std::size_t>(value)]));
     }
@@ -140,7 +148,13 @@ class Hand {
     /// Every field of a struct that differs from what is there.
     template <class T>
     void fill(const QString& path, const T& wanted, const T& present) {
-        std::apply([&](const auto&... field) { (fillField(path + '.' + toQString(field.name), wanted.*field.member, present.*field.member), ...); }, T::fields());
+        std::apply(
+            [&](const auto&... field) {
+                (fillField(path + '.' + toQString(field.name), wanted.*field.member,
+                           present.*field.member),
+                 ...);
+            },
+            T::fields());
     }
 
     void fault(const QString& what) { faults_ << what; }
@@ -162,11 +176,16 @@ class Hand {
     template <class T>
     void fillField(const QString& path, const T& wanted, const T& present) {
         if (wanted == present) return;
-        if constexpr (HasFields<T>) fill(path, wanted, present);
-        else if constexpr (std::is_same_v<T, bool>) press(path);
-        else if constexpr (std::is_same_v<T, std::string>) write(path, toQString(wanted));
-        else if constexpr (requires { set(path, wanted); }) set(path, wanted);
-        else fault("no way to fill " + path);
+        if constexpr (HasFields<T>)
+            fill(path, wanted, present);
+        else if constexpr (std::is_same_v<T, bool>)
+            press(path);
+        else if constexpr (std::is_same_v<T, std::string>)
+            write(path, toQString(wanted));
+        else if constexpr (requires { set(path, wanted); })
+            set(path, wanted);
+        else
+            fault("no way to fill " + path);
     }
 
     MainWindow& window_;

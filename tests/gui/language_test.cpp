@@ -22,7 +22,8 @@ using namespace test;
 
 namespace {
 
-const QString kTranslation = QStringLiteral(GLINT_SOURCE_DIR "/resources/translations/glint_zh_CN.ts");
+const QString kTranslation =
+    QStringLiteral(GLINT_SOURCE_DIR "/resources/translations/glint_zh_CN.ts");
 
 void speak(MainWindow& window, Language language) {
     PreferenceValues values = window.preferences().values();
@@ -33,14 +34,18 @@ void speak(MainWindow& window, Language language) {
 }
 
 bool isEnglish(const QString& text) {
-    static const QRegularExpression word(QStringLiteral("[A-Za-z]{3,}")), chinese(QStringLiteral("[\\x{4e00}-\\x{9fff}]"));
+    static const QRegularExpression word(QStringLiteral("[A-Za-z]{3,}")),
+        chinese(QStringLiteral("[\\x{4e00}-\\x{9fff}]"));
     return text.contains(word) && !text.contains(chinese);
 }
 
-/// What is no word of the program: names in the scene, files, languages, and terms that stay as they are.
+/// What is no word of the program: names in the scene, files, languages, and terms that stay as
+/// they are.
 bool mayBeEnglish(const QString& text) {
-    static const QRegularExpression plain(QStringLiteral(
-        "^(Glint|English|Ball|Key|White|Phong|sRGB|path: .*|[a-z_]+\\.exr|.*/.*|(Ctrl|Shift|Alt|Num|Home|Del|Esc|Space)\\b.*|Scroll Left|Scroll Right|overcast|room|sky|studio|sunset|qt_.*)$"));
+    static const QRegularExpression plain(
+        QStringLiteral("^(Glint|English|Ball|Key|White|Phong|sRGB|path: "
+                       ".*|[a-z_]+\\.exr|.*/.*|(Ctrl|Shift|Alt|Num|Home|Del|Esc|Space)\\b.*|Scroll "
+                       "Left|Scroll Right|overcast|room|sky|studio|sunset|qt_.*)$"));
     return plain.match(text.trimmed()).hasMatch();
 }
 
@@ -58,12 +63,14 @@ QStringList textsOf(const QWidget& widget) {
 QStringList englishIn(const QWidget& window) {
     QStringList out;
     const auto check = [&](const QString& text, const QObject* where) {
-        if (isEnglish(text) && !mayBeEnglish(text)) out << text + " (" + where->metaObject()->className() + ' ' + where->objectName() + ')';
+        if (isEnglish(text) && !mayBeEnglish(text))
+            out << text + " (" + where->metaObject()->className() + ' ' + where->objectName() + ')';
     };
     for (const QWidget* widget : window.findChildren<QWidget*>())
         for (const QString& text : textsOf(*widget)) check(text, widget);
     for (const QAction* action : window.findChildren<QAction*>())
-        for (const QString& text : {action->text(), action->toolTip(), action->statusTip()}) check(text, action);
+        for (const QString& text : {action->text(), action->toolTip(), action->statusTip()})
+            check(text, action);
     out.removeDuplicates();
     return out;
 }
@@ -85,13 +92,17 @@ class LanguageTest : public QObject {
         QVERIFY(!text.contains("<translation></translation>"));
     }
     void englishKnowsSingularAndPlural() {
-        QFile english(QStringLiteral(GLINT_SOURCE_DIR "/resources/translations/glint_en.ts")), chinese(kTranslation);
+        QFile english(QStringLiteral(GLINT_SOURCE_DIR "/resources/translations/glint_en.ts")),
+            chinese(kTranslation);
         QVERIFY(english.open(QIODevice::ReadOnly) && chinese.open(QIODevice::ReadOnly));
         // What depends on a number is in both files.
-        QCOMPARE(english.readAll().count("numerus=\"yes\""), chinese.readAll().count("numerus=\"yes\""));
+        QCOMPARE(english.readAll().count("numerus=\"yes\""),
+                 chinese.readAll().count("numerus=\"yes\""));
         applyLanguage(Language::English);
-        QCOMPARE(QCoreApplication::translate("glint::StatusLine", "%n warning(s)", nullptr, 1), QStringLiteral("1 warning"));
-        QCOMPARE(QCoreApplication::translate("glint::StatusLine", "%n warning(s)", nullptr, 2), QStringLiteral("2 warnings"));
+        QCOMPARE(QCoreApplication::translate("glint::StatusLine", "%n warning(s)", nullptr, 1),
+                 QStringLiteral("1 warning"));
+        QCOMPARE(QCoreApplication::translate("glint::StatusLine", "%n warning(s)", nullptr, 2),
+                 QStringLiteral("2 warnings"));
     }
     void everyWidgetSpeaksChinese() {
         Scene scene = smallScene();

@@ -1,5 +1,6 @@
-// 5 000 objects in the whole window: prints how long the interface's thread is busy with each thing that a person does.
-// The bars are 1 s to open and 50 ms for the rest, in processor time of that thread; a test fails only far above them.
+// 5 000 objects in the whole window: prints how long the interface's thread is busy with each thing
+// that a person does. The bars are 1 s to open and 50 ms for the rest, in processor time of that
+// thread; a test fails only far above them.
 #include <QApplication>
 #include <QLineEdit>
 #include <QScrollBar>
@@ -30,7 +31,8 @@ constexpr int kObjects = 5000;
 Scene largeScene() {
     Scene scene;
     for (int i = 0; i < 5; ++i) scene.materials.add({"Material " + std::to_string(i), Diffuse{}});
-    for (int i = 0; i < kObjects / 100; ++i) scene.groups.add({"Group " + std::to_string(i), {}, {}});
+    for (int i = 0; i < kObjects / 100; ++i)
+        scene.groups.add({"Group " + std::to_string(i), {}, {}});
     std::vector<Object> objects;
     for (int i = 0; i < kObjects; ++i) {
         Object object;
@@ -78,7 +80,8 @@ class LargeSceneTest : public QObject {
     QTreeView* tree() { return window_->objectList().tree(); }
     std::vector<Item> all() const {
         std::vector<Item> out;
-        window_->document().scene().objects.forEach([&](ObjectId id, const Object&) { out.push_back(Item::of(id)); });
+        window_->document().scene().objects.forEach(
+            [&](ObjectId id, const Object&) { out.push_back(Item::of(id)); });
         return out;
     }
 
@@ -93,7 +96,8 @@ class LargeSceneTest : public QObject {
         QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
         const double inThread = busyMs([&] {
             window_->files().load(file);
-            QTRY_COMPARE_WITH_TIMEOUT(window_->document().scene().objects.size(), std::size_t(kObjects), kPatienceMs);
+            QTRY_COMPARE_WITH_TIMEOUT(window_->document().scene().objects.size(),
+                                      std::size_t(kObjects), kPatienceMs);
         });
         report("open: the interface's thread", inThread, 1000);
         const double reading = busyMs([&] { QVERIFY(loadScene(file).ok()); });
@@ -104,7 +108,11 @@ class LargeSceneTest : public QObject {
     void selectOneByClick() {
         const QModelIndex row = tree()->model()->index(2, 0, tree()->model()->index(0, 0));
         tree()->scrollTo(row);
-        report("select one by a click", busyMs([&] { QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualRect(row).center()); }), 50);
+        report("select one by a click", busyMs([&] {
+                   QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {},
+                                     tree()->visualRect(row).center());
+               }),
+               50);
         QCOMPARE(window_->selection().items().size(), std::size_t(1));
     }
     void selectAllAndNone() {
@@ -132,7 +140,8 @@ class LargeSceneTest : public QObject {
             QTest::keyClicks(editor, "New");
             QTest::keyClick(editor, Qt::Key_Return);
         });
-        QTRY_COMPARE_WITH_TIMEOUT(nameOf(window_->document().scene(), item), std::string("New"), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(nameOf(window_->document().scene(), item), std::string("New"),
+                                  kPatienceMs);
         report("rename: type and end", ms, 50);
         report("rename: undo", busyMs([&] { window_->actions()["edit.undo"]->trigger(); }), 50);
     }
@@ -161,11 +170,13 @@ class LargeSceneTest : public QObject {
         window_->actions()["tool.move"]->trigger();
         RenderView& view = window_->view();
         QVERIFY(view.context().gizmoFrame());
-        const QPointF at = *view.context().projection().project(view.context().gizmoFrame()->origin);
+        const QPointF at =
+            *view.context().projection().project(view.context().gizmoFrame()->origin);
         QTest::mousePress(&view, Qt::LeftButton, {}, at.toPoint());
         double worst = 0;
         for (int i = 1; i < 6; ++i) {
-            QMouseEvent move(QEvent::MouseMove, at + QPointF(9 * i, 0), view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+            QMouseEvent move(QEvent::MouseMove, at + QPointF(9 * i, 0), view.mapToGlobal(at),
+                             Qt::NoButton, Qt::LeftButton, {});
             worst = std::max(worst, busyMs([&] { QApplication::sendEvent(&view, &move); }));
         }
         QTest::mouseRelease(&view, Qt::LeftButton, {}, at.toPoint());
@@ -177,7 +188,8 @@ class LargeSceneTest : public QObject {
         double worst = 0;
         for (int i = 1; i < 10; ++i) {
             const QPointF at(200 + 5 * i, 200);
-            QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::MiddleButton, {});
+            QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton,
+                             Qt::MiddleButton, {});
             worst = std::max(worst, busyMs([&] { QApplication::sendEvent(&view, &move); }));
         }
         QTest::mouseRelease(&view, Qt::MiddleButton, {}, QPoint(250, 200));

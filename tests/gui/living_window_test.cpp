@@ -1,5 +1,6 @@
-// The window while its picture is rendered: random edits, undos, resizes, pauses, channels, regions and windows that close in the middle of
-// it. What is shown in the end is the bits of a render of its own. 10 000 acts under AddressSanitizer and with GLINT_FULL=1, else 300.
+// The window while its picture is rendered: random edits, undos, resizes, pauses, channels, regions
+// and windows that close in the middle of it. What is shown in the end is the bits of a render of
+// its own. 10 000 acts under AddressSanitizer and with GLINT_FULL=1, else 300.
 #include <QApplication>
 #include <random>
 
@@ -35,19 +36,35 @@ class LivingWindow {
     /// One act, and now and then a look at what came of it.
     void act() {
         switch (below(16)) {
-            case 0: return window_->document().undoStack().undo();
-            case 1: return window_->document().undoStack().redo();
-            case 2: return window_->resize(700 + below(500), 500 + below(300));
-            case 3: return renderer().setPaused(!renderer().isPaused());
-            case 4: return renderer().setChannel(static_cast<Channel>(below(static_cast<int>(kChannels))));
-            case 5: return renderer().setFiltered(!renderer().isFiltered());
-            case 6: return renderer().setRegion(below(2) ? std::optional(QRectF(0.1 * below(5), 0.1 * below(5), 0.4, 0.3)) : std::nullopt);
-            case 7: return renderer().setThreads(1 + below(3));
-            case 8: return renderer().reload();
-            case 9: return isolate();
-            case 10: return compare();
-            case 11: return below(20) ? preview() : open();  // The old window goes whatever it is doing.
-            default: return edit();
+            case 0:
+                return window_->document().undoStack().undo();
+            case 1:
+                return window_->document().undoStack().redo();
+            case 2:
+                return window_->resize(700 + below(500), 500 + below(300));
+            case 3:
+                return renderer().setPaused(!renderer().isPaused());
+            case 4:
+                return renderer().setChannel(
+                    static_cast<Channel>(below(static_cast<int>(kChannels))));
+            case 5:
+                return renderer().setFiltered(!renderer().isFiltered());
+            case 6:
+                return renderer().setRegion(
+                    below(2) ? std::optional(QRectF(0.1 * below(5), 0.1 * below(5), 0.4, 0.3))
+                             : std::nullopt);
+            case 7:
+                return renderer().setThreads(1 + below(3));
+            case 8:
+                return renderer().reload();
+            case 9:
+                return isolate();
+            case 10:
+                return compare();
+            case 11:
+                return below(20) ? preview() : open();  // The old window goes whatever it is doing.
+            default:
+                return edit();
         }
     }
     MainWindow& window() { return *window_; }
@@ -62,7 +79,10 @@ class LivingWindow {
     }
     Scene edited() {
         Scene next = window_->document().scene();
-        bench::editScene(next, bench::kEditKinds[static_cast<std::size_t>(below(static_cast<int>(bench::kEditKinds.size())))], random_);
+        bench::editScene(next,
+                         bench::kEditKinds[static_cast<std::size_t>(
+                             below(static_cast<int>(bench::kEditKinds.size())))],
+                         random_);
         return next;
     }
     void edit() { window_->document().edit(edited(), "Edit"); }
@@ -72,17 +92,22 @@ class LivingWindow {
             window_->document().preview(edited());
             QCoreApplication::processEvents();
         }
-        if (below(2)) window_->document().commitPreview("Drag");
-        else window_->document().cancelPreview();
+        if (below(2))
+            window_->document().commitPreview("Drag");
+        else
+            window_->document().cancelPreview();
     }
     void isolate() {
         if (below(2)) return renderer().setIsolated({});
         const auto ids = window_->document().scene().objects.ids();
-        if (!ids.empty()) renderer().setIsolated({ids[static_cast<std::size_t>(below(static_cast<int>(ids.size())))]});
+        if (!ids.empty())
+            renderer().setIsolated(
+                {ids[static_cast<std::size_t>(below(static_cast<int>(ids.size())))]});
     }
     void compare() {
         const Scene* before = window_->document().sceneBefore();
-        renderer().setCompared(before && !renderer().isComparing() ? std::optional(*before) : std::nullopt);
+        renderer().setCompared(before && !renderer().isComparing() ? std::optional(*before)
+                                                                   : std::nullopt);
     }
 
     std::mt19937 random_;
@@ -91,7 +116,8 @@ class LivingWindow {
 
 /// What a render of its own shows of the window's document.
 std::vector<std::uint32_t> rendered(const Scene& document, int width, int height) {
-    Scene scene = withViewCamera(document, fittedCamera(document.viewCamera(), document.film, width, height));
+    Scene scene =
+        withViewCamera(document, fittedCamera(document.viewCamera(), document.film, width, height));
     scene.film.width = width;
     scene.film.height = height;
     AssetCache assets;
@@ -100,7 +126,8 @@ std::vector<std::uint32_t> rendered(const Scene& document, int width, int height
     const DisplayTransform transform({scene.display.exposureEv, scene.display.view});
     std::vector<std::uint32_t> out;
     for (std::size_t i = 0; i + 2 < rendering.beauty.rgb.size(); i += 3)
-        out.push_back(transform.apply({rendering.beauty.rgb[i], rendering.beauty.rgb[i + 1], rendering.beauty.rgb[i + 2]}));
+        out.push_back(transform.apply(
+            {rendering.beauty.rgb[i], rendering.beauty.rgb[i + 1], rendering.beauty.rgb[i + 2]}));
     return out;
 }
 
@@ -117,9 +144,13 @@ class LivingWindowTest : public QObject {
         std::mt19937 pause(kSeed);
         for (int i = 0; i < acts; ++i) {
             living.act();
-            if (pause() % 4 == 0) QTest::qWait(static_cast<int>(pause() % 8));
-            else QCoreApplication::processEvents();
-            if (i % 100 == 0) QVERIFY2(sceneProblems(living.window().document().scene()).empty(), qPrintable(QStringLiteral("act %1").arg(i)));
+            if (pause() % 4 == 0)
+                QTest::qWait(static_cast<int>(pause() % 8));
+            else
+                QCoreApplication::processEvents();
+            if (i % 100 == 0)
+                QVERIFY2(sceneProblems(living.window().document().scene()).empty(),
+                         qPrintable(QStringLiteral("act %1").arg(i)));
             if ((i + 1) % 1000 == 0) {
                 std::printf("%d acts\n", i + 1);
                 std::fflush(stdout);
@@ -132,7 +163,8 @@ class LivingWindowTest : public QObject {
         renderer.setFiltered(false);
         renderer.setChannel(Channel::Beauty);
         renderer.setPaused(false);
-        // A light edit may have been shown by mixing what was sampled for other lights, the same light but not the same bits: all anew.
+        // A light edit may have been shown by mixing what was sampled for other lights, the same
+        // light but not the same bits: all anew.
         constexpr int kNewSeed = 77;
         Document& document = living.window().document();
         Scene last = document.scene();
@@ -140,7 +172,9 @@ class LivingWindowTest : public QObject {
         document.edit(last, "Edit");
         const auto isDone = [&] {
             const SessionFrame* frame = renderer.frame();
-            return frame && frame->scene->settings.seed == kNewSeed && frame->state == SessionState::Converged && frame->channel == Channel::Beauty && !frame->region;
+            return frame && frame->scene->settings.seed == kNewSeed &&
+                   frame->state == SessionState::Converged && frame->channel == Channel::Beauty &&
+                   !frame->region;
         };
         QVERIFY(QTest::qWaitFor(isDone, 60000));
         const SessionFrame& frame = *renderer.frame();

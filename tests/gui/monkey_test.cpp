@@ -1,5 +1,6 @@
-// A person who presses everything: random clicks, drags, keys and commands on whatever is visible. It must not crash, and the
-// document stays sound. 5 000 actions under AddressSanitizer and with GLINT_FULL=1, else 250.
+// A person who presses everything: random clicks, drags, keys and commands on whatever is visible.
+// It must not crash, and the document stays sound. 5 000 actions under AddressSanitizer and with
+// GLINT_FULL=1, else 250.
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDesktopServices>
@@ -31,12 +32,15 @@ namespace {
 class Monkey {
   public:
     Monkey(MainWindow& window, unsigned seed) : window_(window), random_(seed) {
-        // A menu of a button and a drag out of the list are event loops of their own, which end only by what comes while they run.
+        // A menu of a button and a drag out of the list are event loops of their own, which end
+        // only by what comes while they run.
         QObject::connect(&rescue_, &QTimer::timeout, &rescue_, [this] {
             constexpr int kStuckMs = 300;
             if (!acting_ || since_.elapsed() < kStuckMs) return;
-            if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
-            else QTest::keyClick(&window_, Qt::Key_Escape);
+            if (QWidget* popup = QApplication::activePopupWidget())
+                popup->close();
+            else
+                QTest::keyClick(&window_, Qt::Key_Escape);
         });
         rescue_.start(100);
     }
@@ -47,13 +51,25 @@ class Monkey {
         switch (below(10)) {
             case 0:
             case 1:
-            case 2: press(); break;
-            case 3: dragSomewhere(); break;
-            case 4: turnWheel(); break;
+            case 2:
+                press();
+                break;
+            case 3:
+                dragSomewhere();
+                break;
+            case 4:
+                turnWheel();
+                break;
             case 5:
-            case 6: pressKey(); break;
-            case 7: typeText(); break;
-            default: command(); break;
+            case 6:
+                pressKey();
+                break;
+            case 7:
+                typeText();
+                break;
+            default:
+                command();
+                break;
         }
         QCoreApplication::processEvents();
         // File dialogs can delete: they go at once.
@@ -84,26 +100,34 @@ class Monkey {
         QWidget* from = root();
         std::vector<QWidget*> candidates{from};
         for (QWidget* child : from->findChildren<QWidget*>())
-            if (child->isVisible() && child->isEnabled() && !child->visibleRegion().isEmpty()) candidates.push_back(child);
+            if (child->isVisible() && child->isEnabled() && !child->visibleRegion().isEmpty())
+                candidates.push_back(child);
         QWidget* out = pick(candidates);
-        last_ += QStringLiteral(" %1 \"%2\"").arg(out->metaObject()->className(), out->objectName());
+        last_ +=
+            QStringLiteral(" %1 \"%2\"").arg(out->metaObject()->className(), out->objectName());
         return out;
     }
-    QPoint somewhere(const QWidget* widget) { return {below(std::max(1, widget->width())), below(std::max(1, widget->height()))}; }
+    QPoint somewhere(const QWidget* widget) {
+        return {below(std::max(1, widget->width())), below(std::max(1, widget->height()))};
+    }
     Qt::KeyboardModifiers modifiers() {
-        const Qt::KeyboardModifier all[] = {Qt::NoModifier, Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier};
+        const Qt::KeyboardModifier all[] = {Qt::NoModifier, Qt::NoModifier, Qt::ShiftModifier,
+                                            Qt::ControlModifier, Qt::AltModifier};
         return all[below(5)];
     }
     Qt::MouseButton button() {
-        const Qt::MouseButton all[] = {Qt::LeftButton, Qt::LeftButton, Qt::LeftButton, Qt::RightButton, Qt::MiddleButton};
+        const Qt::MouseButton all[] = {Qt::LeftButton, Qt::LeftButton, Qt::LeftButton,
+                                       Qt::RightButton, Qt::MiddleButton};
         return all[below(5)];
     }
 
     void press() {
         last_ = "click";
         QWidget* widget = target();
-        if (below(8)) QTest::mouseClick(widget, button(), modifiers(), somewhere(widget));
-        else QTest::mouseDClick(widget, Qt::LeftButton, {}, somewhere(widget));
+        if (below(8))
+            QTest::mouseClick(widget, button(), modifiers(), somewhere(widget));
+        else
+            QTest::mouseDClick(widget, Qt::LeftButton, {}, somewhere(widget));
     }
     void dragSomewhere() {
         last_ = "drag";
@@ -114,7 +138,8 @@ class Monkey {
         QTest::mousePress(widget, with, held, from);
         for (int i = 1; i <= 4 && widget; ++i) {
             const QPoint at = from + (to - from) * i / 4;
-            QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, with, held);
+            QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, with,
+                             held);
             QApplication::sendEvent(widget, &move);
             if (below(6) == 0) pressKey();
         }
@@ -124,20 +149,26 @@ class Monkey {
         last_ = "wheel";
         QWidget* widget = target();
         const QPointF at = somewhere(widget);
-        QWheelEvent wheel(at, widget->mapToGlobal(at), {}, {0, below(2) ? 120 : -120}, Qt::NoButton, modifiers(), Qt::NoScrollPhase, false);
+        QWheelEvent wheel(at, widget->mapToGlobal(at), {}, {0, below(2) ? 120 : -120}, Qt::NoButton,
+                          modifiers(), Qt::NoScrollPhase, false);
         QApplication::sendEvent(widget, &wheel);
     }
     void pressKey() {
-        static const Qt::Key keys[] = {Qt::Key_Escape, Qt::Key_Return, Qt::Key_Tab, Qt::Key_Up, Qt::Key_Down, Qt::Key_Left, Qt::Key_Right, Qt::Key_Delete,
-                                       Qt::Key_Space, Qt::Key_F2, Qt::Key_F3, Qt::Key_Home, Qt::Key_W, Qt::Key_E, Qt::Key_R, Qt::Key_Q, Qt::Key_X, Qt::Key_Y,
-                                       Qt::Key_Z, Qt::Key_1, Qt::Key_5, Qt::Key_A, Qt::Key_G, Qt::Key_H, Qt::Key_D, Qt::Key_Period, Qt::Key_Backspace};
+        static const Qt::Key keys[] = {
+            Qt::Key_Escape, Qt::Key_Return,   Qt::Key_Tab,    Qt::Key_Up,    Qt::Key_Down,
+            Qt::Key_Left,   Qt::Key_Right,    Qt::Key_Delete, Qt::Key_Space, Qt::Key_F2,
+            Qt::Key_F3,     Qt::Key_Home,     Qt::Key_W,      Qt::Key_E,     Qt::Key_R,
+            Qt::Key_Q,      Qt::Key_X,        Qt::Key_Y,      Qt::Key_Z,     Qt::Key_1,
+            Qt::Key_5,      Qt::Key_A,        Qt::Key_G,      Qt::Key_H,     Qt::Key_D,
+            Qt::Key_Period, Qt::Key_Backspace};
         QWidget* focus = QApplication::focusWidget();
         const Qt::Key key = keys[below(static_cast<int>(std::size(keys)))];
         last_ += QStringLiteral(" key %1").arg(QKeySequence(key).toString());
         QTest::keyClick(focus ? focus : &window_, key, modifiers());
     }
     void typeText() {
-        static const char* texts[] = {"1.5", "-2", "ball", "2*3", "", "99999999", "#ff8800", "", "0"};
+        static const char* texts[] = {"1.5",      "-2",      "ball", "2*3", "",
+                                      "99999999", "#ff8800", "",     "0"};
         last_ = "type";
         QWidget* focus = QApplication::focusWidget();
         const char* text = texts[below(static_cast<int>(std::size(texts)))];
@@ -156,7 +187,8 @@ class Monkey {
     void closeOthers() {
         while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
         for (QWidget* widget : QApplication::topLevelWidgets())
-            if (auto* dialog = qobject_cast<QDialog*>(widget); dialog && dialog->isVisible()) dialog->reject();
+            if (auto* dialog = qobject_cast<QDialog*>(widget); dialog && dialog->isVisible())
+                dialog->reject();
         QCoreApplication::processEvents();
     }
 
@@ -184,7 +216,8 @@ class MonkeyTest : public QObject {
         const int actions = isLongRun() ? 5000 : 250;
         constexpr unsigned kSeed = 11;
         QDir::setCurrent(folder_.path());
-        for (const char* scheme : {"file", "http", "https"}) QDesktopServices::setUrlHandler(scheme, this, "openNothing");
+        for (const char* scheme : {"file", "http", "https"})
+            QDesktopServices::setUrlHandler(scheme, this, "openNothing");
         const auto window = openWindow();
         window->resize(900, 600);
         window->actions()["file.quit"]->setEnabled(false);
@@ -192,17 +225,23 @@ class MonkeyTest : public QObject {
         for (int i = 0; i < actions; ++i) {
             monkey.act();
             // Demos are opened from the start page, and must not be saved as what becomes of them.
-            if (Document& document = window->document(); document.file().string().starts_with(GLINT_SOURCE_DIR))
+            if (Document& document = window->document();
+                document.file().string().starts_with(GLINT_SOURCE_DIR))
                 document.replace(Scene(document.scene()), toPath(folder_.filePath("demo.json")));
             if (i % 20 == 0) window->exports().cancelAll();
             if (!window->isVisible()) window->show();
             const Scene& scene = window->document().committed();
-            const auto where = QStringLiteral("seed %1, action %2: %3").arg(kSeed).arg(i).arg(monkey.last());
+            const auto where =
+                QStringLiteral("seed %1, action %2: %3").arg(kSeed).arg(i).arg(monkey.last());
             QVERIFY2(sceneProblems(scene).empty(), qPrintable(where));
-            for (const Item item : window->selection().items()) QVERIFY2(exists(window->document().scene(), item), qPrintable(where));
+            for (const Item item : window->selection().items())
+                QVERIFY2(exists(window->document().scene(), item), qPrintable(where));
             if (i % 50 == 0) {
                 const auto again = parseScene(formatScene(scene), "scene");
-                QVERIFY2(again.ok(), qPrintable(where + ": " + QString::fromStdString(again.ok() ? "" : again.error().text())));
+                QVERIFY2(
+                    again.ok(),
+                    qPrintable(where + ": " +
+                               QString::fromStdString(again.ok() ? "" : again.error().text())));
             }
             constexpr std::size_t kMost = 300;
             if (scene.objects.size() > kMost) window->document().replace(smallScene(), {});
@@ -212,7 +251,8 @@ class MonkeyTest : public QObject {
             }
         }
         while (window->document().undoStack().canUndo()) window->document().undoStack().undo();
-        for (const char* scheme : {"file", "http", "https"}) QDesktopServices::unsetUrlHandler(scheme);
+        for (const char* scheme : {"file", "http", "https"})
+            QDesktopServices::unsetUrlHandler(scheme);
     }
 };
 

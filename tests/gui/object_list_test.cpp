@@ -19,7 +19,8 @@ class ObjectListTest : public QObject {
     static Scene manyObjects(int count) {
         Scene scene = smallScene();
         std::vector<Object> objects;
-        for (int i = 0; i < count; ++i) objects.push_back({"Object " + std::to_string(i), Sphere{}});
+        for (int i = 0; i < count; ++i)
+            objects.push_back({"Object " + std::to_string(i), Sphere{}});
         scene.objects.addAll(std::move(objects));
         return scene;
     }
@@ -29,7 +30,8 @@ class ObjectListTest : public QObject {
         Document document;
         document.replace(smallScene(), {});
         ObjectModel model(document);
-        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        QAbstractItemModelTester tester(&model,
+                                        QAbstractItemModelTester::FailureReportingMode::QtTest);
         QCOMPARE(model.rowCount(), 3);  // Ball, light, camera.
         auto [scene, group] = withGroup(document.scene(), Group{"G", {}, {}});
         document.edit(scene, "Group");
@@ -59,7 +61,8 @@ class ObjectListTest : public QObject {
         QTest::keyClicks(editor, "Marble");
         QTest::keyClick(editor, Qt::Key_Return);
         // The view takes the editor's text in the next event.
-        QTRY_COMPARE_WITH_TIMEOUT(nameOf(document.scene(), kBall), std::string("Marble"), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(nameOf(document.scene(), kBall), std::string("Marble"),
+                                  kPatienceMs);
         document.undoStack().undo();
         QCOMPARE(nameOf(document.scene(), kBall), std::string("Ball"));
     }
@@ -77,7 +80,8 @@ class ObjectListTest : public QObject {
         constexpr int kGroups = 3, kEach = 20;
         Scene scene;
         std::vector<GroupId> groups;
-        for (int i = 0; i < kGroups; ++i) groups.push_back(scene.groups.add({"Group " + std::to_string(i), {}, {}}));
+        for (int i = 0; i < kGroups; ++i)
+            groups.push_back(scene.groups.add({"Group " + std::to_string(i), {}, {}}));
         std::vector<Item> items;
         for (int i = 0; i < kGroups * kEach; ++i) {
             Object object{"Object " + std::to_string(i), Sphere{}};
@@ -98,7 +102,8 @@ class ObjectListTest : public QObject {
         Selection selection(document);
         document.replace(smallScene(), {});
         ObjectList list(document, selection);
-        QAbstractItemModelTester tester(list.model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+        QAbstractItemModelTester tester(list.model(),
+                                        QAbstractItemModelTester::FailureReportingMode::QtTest);
         auto [scene, group] = withGroup(document.scene(), Group{"G", {}, {}});
         document.edit(scene, "Group");
         selection.set({kBall});
@@ -146,7 +151,8 @@ class ObjectListTest : public QObject {
         list.resize(300, 400);
         list.show();
         auto* tree = list.tree();
-        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualRect(tree->model()->index(0, 0)).center());
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
+                          tree->visualRect(tree->model()->index(0, 0)).center());
         QCOMPARE(selection.items(), std::vector<Item>{kBall});
         selection.clear();
         QVERIFY(!tree->selectionModel()->hasSelection());
@@ -183,7 +189,8 @@ class ObjectListTest : public QObject {
         QElapsedTimer clock;
         clock.start();
         std::vector<Item> all;
-        document.scene().objects.forEach([&](ObjectId id, const Object&) { all.push_back(Item::of(id)); });
+        document.scene().objects.forEach(
+            [&](ObjectId id, const Object&) { all.push_back(Item::of(id)); });
         selection.set(all);
         document.edit(renamed(document.scene(), kBall, "Renamed"), "Rename");
         // Generous, as a busy machine must not fail it: the quadratic version takes minutes.

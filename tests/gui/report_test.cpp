@@ -1,5 +1,6 @@
-// The picture of scenes/report.json made anew from an empty window, with mouse and keyboard alone; then saved, opened again and
-// exported. What is typed comes from the file, how it is typed is Hand's.
+// The picture of scenes/report.json made anew from an empty window, with mouse and keyboard alone;
+// then saved, opened again and exported. What is typed comes from the file, how it is typed is
+// Hand's.
 #include <QFileDialog>
 #include <QTemporaryDir>
 #include <set>
@@ -20,19 +21,22 @@ using namespace test;
 
 namespace {
 
-const std::filesystem::path kReport = std::filesystem::path(GLINT_SOURCE_DIR) / "scenes/report.json";
+const std::filesystem::path kReport =
+    std::filesystem::path(GLINT_SOURCE_DIR) / "scenes/report.json";
 
 /// Builds what a scene holds, one thing after another.
 class Rebuild {
   public:
-    Rebuild(MainWindow& window, const Scene& wanted) : window_(window), wanted_(wanted), hand_(window) {}
+    Rebuild(MainWindow& window, const Scene& wanted)
+        : window_(window), wanted_(wanted), hand_(window) {}
 
     QStringList run() {
         hand_.key(Qt::Key_N, Qt::ControlModifier);
         window_.view().setFocus();
         hand_.key(Qt::Key_A, Qt::ControlModifier);
         hand_.key(Qt::Key_Delete);
-        if (!document().objects.empty() || !document().lights.empty()) hand_.fault("the window is not empty");
+        if (!document().objects.empty() || !document().lights.empty())
+            hand_.fault("the window is not empty");
         wanted_.objects.forEach([&](ObjectId, const Object& object) { buildObject(object); });
         wanted_.lights.forEach([&](LightId, const Light& light) { buildLight(light); });
         buildEnvironment();
@@ -42,26 +46,39 @@ class Rebuild {
 
   private:
     const Scene& document() const { return window_.document().scene(); }
-    const Object& object() const { return document().objects.at(ObjectId{window_.selection().items().back().id}); }
+    const Object& object() const {
+        return document().objects.at(ObjectId{window_.selection().items().back().id});
+    }
 
     void buildObject(const Object& wanted) {
         hand_.add("add." + toQString(kindOf(wanted.shape)));
-        if (window_.selection().items().size() != 1 || window_.selection().items().back().kind != ItemKind::Object) return hand_.fault("nothing was added");
-        if (kindOf(object().shape) != kindOf(wanted.shape)) return hand_.fault("added " + toQString(kindOf(object().shape)) + " for " + toQString(wanted.name));
+        if (window_.selection().items().size() != 1 ||
+            window_.selection().items().back().kind != ItemKind::Object)
+            return hand_.fault("nothing was added");
+        if (kindOf(object().shape) != kindOf(wanted.shape))
+            return hand_.fault("added " + toQString(kindOf(object().shape)) + " for " +
+                               toQString(wanted.name));
         hand_.write("object.name", toQString(wanted.name));
-        std::visit([&]<class S>(const S& shape) { hand_.fill("object.shape", shape, std::get<S>(object().shape)); }, wanted.shape);
+        std::visit(
+            [&]<class S>(const S& shape) {
+                hand_.fill("object.shape", shape, std::get<S>(object().shape));
+            },
+            wanted.shape);
         hand_.fill("object.transform", wanted.transform, Transform(object().transform));
         if (!(wanted.emission == Color{})) hand_.set("object.emission", wanted.emission);
-        wanted.material ? useMaterial(wanted.material) : hand_.choose("object.material", "None (black)");
+        wanted.material ? useMaterial(wanted.material)
+                        : hand_.choose("object.material", "None (black)");
     }
 
     /// Chooses the material for the selected object; makes it first if it is not there.
     void useMaterial(MaterialId id) {
         const Material& wanted = wanted_.materials.at(id);
         const auto* mix = std::get_if<Mix>(&wanted.value);
-        if (mix && mix->b.material) useMaterial(mix->b.material);  // Made on the same object, and kept.
+        if (mix && mix->b.material)
+            useMaterial(mix->b.material);  // Made on the same object, and kept.
         bool isThere = false;
-        document().materials.forEach([&](MaterialId, const Material& m) { isThere = isThere || m.name == wanted.name; });
+        document().materials.forEach(
+            [&](MaterialId, const Material& m) { isThere = isThere || m.name == wanted.name; });
         if (!isThere) {
             hand_.choose("object.material", "New material");
             hand_.write("material.name", toQString(wanted.name));
@@ -72,11 +89,14 @@ class Rebuild {
         made_.insert(wanted.name);
         hand_.choose("material.type", labelOf(kindOf(wanted.value)));
         if (mix) return fillMix(*mix);
-        if (!object().material) return hand_.fault("no material was taken for " + toQString(wanted.name));
+        if (!object().material)
+            return hand_.fault("no material was taken for " + toQString(wanted.name));
         std::visit(
             [&]<class M>(const M& material) {
-                const auto* present = std::get_if<M>(&document().materials.at(object().material).value);
-                present ? hand_.fill("material", material, M(*present)) : hand_.fault("the type was not taken");
+                const auto* present =
+                    std::get_if<M>(&document().materials.at(object().material).value);
+                present ? hand_.fill("material", material, M(*present))
+                        : hand_.fault("the type was not taken");
             },
             wanted.value);
     }
@@ -93,7 +113,11 @@ class Rebuild {
         if (added.kind != ItemKind::Light) return hand_.fault("no light was added");
         hand_.write("light.name", toQString(wanted.name));
         const LightId id{added.id};
-        std::visit([&]<class L>(const L& light) { hand_.fill("light", light, L(std::get<L>(document().lights.at(id).value))); }, wanted.value);
+        std::visit(
+            [&]<class L>(const L& light) {
+                hand_.fill("light", light, L(std::get<L>(document().lights.at(id).value)));
+            },
+            wanted.value);
     }
     void buildEnvironment() {
         const auto stem = std::filesystem::path(wanted_.environment.image).stem();

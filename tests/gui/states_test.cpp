@@ -1,5 +1,5 @@
-// The window's main states as pictures, checked for what must be seen in them, at several sizes; the build also runs this at
-// 200 % scale. GLINT_SCREENSHOTS=FOLDER keeps the pictures.
+// The window's main states as pictures, checked for what must be seen in them, at several sizes;
+// the build also runs this at 200 % scale. GLINT_SCREENSHOTS=FOLDER keeps the pictures.
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
@@ -39,7 +39,8 @@ int countNear(const QImage& image, const QColor& color) {
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) {
             const QColor pixel = image.pixelColor(x, y);
-            count += std::abs(pixel.red() - color.red()) <= kTolerance && std::abs(pixel.green() - color.green()) <= kTolerance &&
+            count += std::abs(pixel.red() - color.red()) <= kTolerance &&
+                     std::abs(pixel.green() - color.green()) <= kTolerance &&
                      std::abs(pixel.blue() - color.blue()) <= kTolerance;
         }
     return count;
@@ -54,7 +55,8 @@ int shadesIn(const QImage& image) {
 
 QImage pictureOf(QWidget& widget, const QString& name) {
     const QImage image = widget.grab().toImage();
-    if (const QString folder = qEnvironmentVariable("GLINT_SCREENSHOTS"); !folder.isEmpty()) image.save(folder + '/' + name + ".png");
+    if (const QString folder = qEnvironmentVariable("GLINT_SCREENSHOTS"); !folder.isEmpty())
+        image.save(folder + '/' + name + ".png");
     return image;
 }
 
@@ -69,7 +71,10 @@ QStringList cutTexts(const QWidget& root) {
         if (text.isEmpty() || (label && label->wordWrap())) continue;
         const QSize needed = widget->minimumSizeHint();
         if (widget->width() + 1 < needed.width() || widget->height() + 1 < needed.height())
-            out << QStringLiteral("%1 \"%2\": %3 of %4").arg(widget->metaObject()->className(), text).arg(widget->width()).arg(needed.width());
+            out << QStringLiteral("%1 \"%2\": %3 of %4")
+                       .arg(widget->metaObject()->className(), text)
+                       .arg(widget->width())
+                       .arg(needed.width());
     }
     return out;
 }
@@ -86,7 +91,9 @@ class StatesTest : public QObject {
         return pictureOf(view(), name);
     }
     void waitForPicture() {
-        QTRY_VERIFY_WITH_TIMEOUT(window_->renderer().frame() && window_->renderer().frame()->state == SessionState::Converged, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->renderer().frame() &&
+                                     window_->renderer().frame()->state == SessionState::Converged,
+                                 kPatienceMs);
     }
 
     /// What is cut in the property panel while each entry of the list is chosen in turn.
@@ -134,7 +141,8 @@ class StatesTest : public QObject {
         for (const char* tool : {"tool.move", "tool.rotate", "tool.scale"}) {
             window_->actions()[tool]->trigger();
             const QImage picture = viewPicture(tool);
-            for (int axis = 0; axis < 2; ++axis) QVERIFY2(countNear(picture, colors.axes[axis]) > 60, tool);
+            for (int axis = 0; axis < 2; ++axis)
+                QVERIFY2(countNear(picture, colors.axes[axis]) > 60, tool);
         }
     }
     void aClampedPictureSaysThatItIsBiased() {
@@ -174,15 +182,18 @@ class StatesTest : public QObject {
         const QImage refused = pictureOf(*radius, "number_refused");
         int redder = 0;
         for (int y = 0; y < good.height(); ++y)
-            for (int x = 0; x < good.width(); ++x) redder += refused.pixelColor(x, y).red() > refused.pixelColor(x, y).green() + 40;
+            for (int x = 0; x < good.width(); ++x)
+                redder += refused.pixelColor(x, y).red() > refused.pixelColor(x, y).green() + 40;
         QVERIFY(redder > 20);
     }
     void messagesStandAboveThePicture() {
-        window_->messages().show(MessageBar::Level::Error, "Not saved: the disk is full", {}, {{"Save elsewhere…", [] {}}});
+        window_->messages().show(MessageBar::Level::Error, "Not saved: the disk is full", {},
+                                 {{"Save elsewhere…", [] {}}});
         QTest::qWait(50);
         QVERIFY(window_->messages().geometry().bottom() < view().geometry().bottom());
         QVERIFY(shadesIn(pictureOf(window_->messages(), "message")) > 5);
-        QVERIFY2(cutTexts(window_->messages()).isEmpty(), qPrintable(cutTexts(window_->messages()).join('\n')));
+        QVERIFY2(cutTexts(window_->messages()).isEmpty(),
+                 qPrintable(cutTexts(window_->messages()).join('\n')));
     }
     void nothingIsCut_data() {
         QTest::addColumn<QSize>("size");

@@ -49,12 +49,14 @@ inline void type(DragNumber* number, const QString& text) {
 }
 
 /// Presses at `from`, moves in steps to `to`, releases there.
-inline void drag(QWidget* widget, Qt::MouseButton button, QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) {
+inline void drag(QWidget* widget, Qt::MouseButton button, QPoint from, QPoint to,
+                 Qt::KeyboardModifiers modifiers = {}) {
     QTest::mousePress(widget, button, modifiers, from);
     constexpr int kSteps = 5;
     for (int i = 1; i <= kSteps; ++i) {
         const QPointF at = from + (to - from) * i / kSteps;
-        QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, button, modifiers);
+        QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, button,
+                         modifiers);
         QApplication::sendEvent(widget, &move);
     }
     QTest::mouseRelease(widget, button, modifiers, to);
@@ -71,6 +73,5 @@ inline std::unique_ptr<MainWindow> openWindow(Scene scene = smallScene()) {
     window->show();
     return window;
 }
-
 
 }  // namespace glint::test

@@ -1,5 +1,5 @@
-// Every edit undoes and redoes to an equal document: random edits through the whole window. 400 of them, or 10 000 with
-// GLINT_FULL=1.
+// Every edit undoes and redoes to an equal document: random edits through the whole window. 400 of
+// them, or 10 000 with GLINT_FULL=1.
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -34,17 +34,26 @@ class RandomEditor {
     void step() {
         switch (below(12)) {
             case 0:
-            case 1: return select();
+            case 1:
+                return select();
             case 2:
-            case 3: return command();
+            case 3:
+                return command();
             case 4:
-            case 5: return typeNumber();
-            case 6: return pressField();
-            case 7: return listEdit();
-            case 8: return drop();
-            case 9: return dragGizmo();
-            case 10: return walk();
-            default: return environment();
+            case 5:
+                return typeNumber();
+            case 6:
+                return pressField();
+            case 7:
+                return listEdit();
+            case 8:
+                return drop();
+            case 9:
+                return dragGizmo();
+            case 10:
+                return walk();
+            default:
+                return environment();
         }
     }
     [[nodiscard]] const QString& last() const { return last_; }
@@ -65,23 +74,30 @@ class RandomEditor {
     }
     Item any() {
         const auto all = items();
-        return all.empty() ? Item{ItemKind::Camera, 0} : all[static_cast<std::size_t>(below(all.size()))];
+        return all.empty() ? Item{ItemKind::Camera, 0}
+                           : all[static_cast<std::size_t>(below(all.size()))];
     }
     void trigger(const QString& id) {
         last_ = id;
-        if (auto* action = window_.findChild<QAction*>(id); action && action->isEnabled()) action->trigger();
+        if (auto* action = window_.findChild<QAction*>(id); action && action->isEnabled())
+            action->trigger();
     }
 
     void select() {
         std::vector<Item> chosen;
         for (int i = 0; i <= below(4); ++i)
-            if (const Item item = any(); std::find(chosen.begin(), chosen.end(), item) == chosen.end()) chosen.push_back(item);
+            if (const Item item = any();
+                std::find(chosen.begin(), chosen.end(), item) == chosen.end())
+                chosen.push_back(item);
         last_ = "select";
         window_.selection().set(chosen);
     }
     void command() {
-        static const char* ids[] = {"edit.delete", "edit.duplicate", "edit.hide", "edit.showAll", "edit.group", "edit.ungroup", "edit.cut", "edit.copy",
-                                    "edit.paste", "view.darker", "view.brighter", "add.sphere", "add.box", "add.torus", "add.point", "add.sun", "add.group"};
+        static const char* ids[] = {
+            "edit.delete",   "edit.duplicate", "edit.hide", "edit.showAll", "edit.group",
+            "edit.ungroup",  "edit.cut",       "edit.copy", "edit.paste",   "view.darker",
+            "view.brighter", "add.sphere",     "add.box",   "add.torus",    "add.point",
+            "add.sun",       "add.group"};
         // Few things are enough to go wrong, and quick.
         constexpr std::size_t kMost = 40;
         if (items().size() > kMost) {
@@ -120,16 +136,25 @@ class RandomEditor {
         ObjectModel& model = *window_.objectList().model();
         const QModelIndex index = model.indexOf(any());
         switch (below(3)) {
-            case 0: last_ = "rename", model.setData(index, QStringLiteral("Name %1").arg(below(60)), Qt::EditRole); return;
-            case 1: last_ = "eye", model.toggle(index.siblingAtColumn(ObjectModel::VisibleColumn)); return;
-            default: last_ = "lock", model.toggle(index.siblingAtColumn(ObjectModel::LockedColumn)); return;
+            case 0:
+                last_ = "rename",
+                model.setData(index, QStringLiteral("Name %1").arg(below(60)), Qt::EditRole);
+                return;
+            case 1:
+                last_ = "eye", model.toggle(index.siblingAtColumn(ObjectModel::VisibleColumn));
+                return;
+            default:
+                last_ = "lock", model.toggle(index.siblingAtColumn(ObjectModel::LockedColumn));
+                return;
         }
     }
     void drop() {
         last_ = "drop";
         ObjectModel& model = *window_.objectList().model();
-        const std::unique_ptr<QMimeData> data(model.mimeData({model.indexOf(any()), model.indexOf(any())}));
-        model.dropMimeData(data.get(), Qt::MoveAction, -1, -1, below(3) ? model.indexOf(any()) : QModelIndex());
+        const std::unique_ptr<QMimeData> data(
+            model.mimeData({model.indexOf(any()), model.indexOf(any())}));
+        model.dropMimeData(data.get(), Qt::MoveAction, -1, -1,
+                           below(3) ? model.indexOf(any()) : QModelIndex());
     }
     void dragGizmo() {
         static const char* tools[] = {"tool.move", "tool.rotate", "tool.scale"};
@@ -137,7 +162,8 @@ class RandomEditor {
         last_ = "drag";
         RenderView& view = window_.view();
         const auto frame = view.context().gizmoFrame();
-        const auto origin = frame ? view.context().projection().project(frame->origin) : std::nullopt;
+        const auto origin =
+            frame ? view.context().projection().project(frame->origin) : std::nullopt;
         if (!origin || !view.rect().contains(origin->toPoint())) return;
         const QPoint from = origin->toPoint() + QPoint(below(80), 0);
         const QPoint to = from + QPoint(below(120) - 60, below(120) - 60);
@@ -167,22 +193,29 @@ class RandomEditor {
 /// The documents that the undo stack has led to, by its index.
 class History {
   public:
-    explicit History(MainWindow& window) : document_(window.document()) { states_[0] = document_.scene(); }
+    explicit History(MainWindow& window) : document_(window.document()) {
+        states_[0] = document_.scene();
+    }
 
     /// After each step. Empty, or what is wrong.
     QString check() {
         const QUndoStack& stack = document_.undoStack();
         const int index = stack.index();
         const Scene& scene = document_.scene();
-        if (!sceneProblems(scene).empty()) return "unsound: " + QString::fromStdString(sceneProblems(scene).front().text());
+        if (!sceneProblems(scene).empty())
+            return "unsound: " + QString::fromStdString(sceneProblems(scene).front().text());
         const QUndoCommand* command = index > 0 ? stack.command(index - 1) : nullptr;
-        // The same command is the same state; another one at the same place takes its place, and what came after is gone.
-        if (commands_[index] == command && states_.contains(index) && stack.undoText() == texts_[index]) {
+        // The same command is the same state; another one at the same place takes its place, and
+        // what came after is gone.
+        if (commands_[index] == command && states_.contains(index) &&
+            stack.undoText() == texts_[index]) {
             if (scene == states_[index]) return {};
-            if (index != stack.count()) return "another document than before after " + stack.undoText();
+            if (index != stack.count())
+                return "another document than before after " + stack.undoText();
         }
         for (auto later = states_.upper_bound(index); later != states_.end();)
-            later = later->first > stack.count() || index == stack.count() ? states_.erase(later) : std::next(later);
+            later = later->first > stack.count() || index == stack.count() ? states_.erase(later)
+                                                                           : std::next(later);
         commands_[index] = command;
         texts_[index] = stack.undoText();
         states_[index] = scene;
@@ -193,7 +226,9 @@ class History {
         QUndoStack& stack = document_.undoStack();
         const auto compare = [&]() -> QString {
             const auto known = states_.find(stack.index());
-            return known == states_.end() || known->second == document_.scene() ? QString() : QStringLiteral("index %1: %2").arg(stack.index()).arg(stack.undoText());
+            return known == states_.end() || known->second == document_.scene()
+                       ? QString()
+                       : QStringLiteral("index %1: %2").arg(stack.index()).arg(stack.undoText());
         };
         QString wrong;
         while (wrong.isEmpty() && stack.canUndo()) stack.undo(), wrong = compare();
@@ -224,7 +259,10 @@ class UndoTest : public QObject {
         for (int i = 0; i < steps; ++i) {
             editor.step();
             const QString wrong = history.check();
-            QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("seed %1, step %2 (%3): %4").arg(kSeed).arg(i).arg(editor.last(), wrong)));
+            QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("seed %1, step %2 (%3): %4")
+                                                     .arg(kSeed)
+                                                     .arg(i)
+                                                     .arg(editor.last(), wrong)));
         }
         const int edits = window->document().undoStack().count();
         QVERIFY(edits > steps / 8);

@@ -16,7 +16,9 @@ Camera frontCamera() {
     return camera;
 }
 
-bool isNear(const DVec3& a, const DVec3& b, double tolerance = 1e-9) { return glm::length(a - b) <= tolerance; }
+bool isNear(const DVec3& a, const DVec3& b, double tolerance = 1e-9) {
+    return glm::length(a - b) <= tolerance;
+}
 
 }  // namespace
 
@@ -33,7 +35,8 @@ class ViewMathTest : public QObject {
             const auto pixel = view.project(point);
             QVERIFY(pixel);
             const ViewRay ray = view.ray(*pixel);
-            QVERIFY(isNear(ray.origin + ray.direction * glm::dot(point - ray.origin, ray.direction), point));
+            QVERIFY(isNear(ray.origin + ray.direction * glm::dot(point - ray.origin, ray.direction),
+                           point));
         }
     }
     void fieldOfViewSpansTheHeight() {
@@ -44,19 +47,23 @@ class ViewMathTest : public QObject {
         QCOMPARE(top->y(), 0.0);
         QCOMPARE(top->x(), 400.0);
     }
-    void pointsBehindTheViewerHaveNoPixel() { QVERIFY(!ViewProjection(frontCamera(), 800, 600).project({0, 0, 7})); }
+    void pointsBehindTheViewerHaveNoPixel() {
+        QVERIFY(!ViewProjection(frontCamera(), 800, 600).project({0, 0, 7}));
+    }
 
     void orbitKeepsDistanceAndPivotOnScreen() {
         const DVec3 pivot(0.5, 0.3, 1);
         const Camera before = frontCamera(), after = orbited(before, pivot, 0.4, -0.2);
         QCOMPARE(glm::length(after.position - pivot), glm::length(before.position - pivot));
-        const auto a = ViewProjection(before, 800, 600).project(pivot), b = ViewProjection(after, 800, 600).project(pivot);
+        const auto a = ViewProjection(before, 800, 600).project(pivot),
+                   b = ViewProjection(after, 800, 600).project(pivot);
         QVERIFY(QLineF(*a, *b).length() < 1e-6);
     }
     void orbitStopsAtThePoles() {
         Camera camera = frontCamera();
         for (int i = 0; i < 100; ++i) camera = orbited(camera, {0, 0, 0}, 0, 0.3);
-        QVERIFY(glm::length(glm::cross(glm::normalize(camera.target - camera.position), camera.up)) > 0.01);
+        QVERIFY(glm::length(
+                    glm::cross(glm::normalize(camera.target - camera.position), camera.up)) > 0.01);
     }
     void dollyKeepsThePointUnderThePointer() {
         for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
@@ -84,9 +91,11 @@ class ViewMathTest : public QObject {
     void changingTheProjectionKeepsSizesAtTheTarget() {
         const Camera perspective = frontCamera();
         const Camera orthographic = withProjection(perspective, Projection::Orthographic);
-        const auto a = ViewProjection(perspective, 800, 600).project({1, 1, 0}), b = ViewProjection(orthographic, 800, 600).project({1, 1, 0});
+        const auto a = ViewProjection(perspective, 800, 600).project({1, 1, 0}),
+                   b = ViewProjection(orthographic, 800, 600).project({1, 1, 0});
         QVERIFY(QLineF(*a, *b).length() < 1e-6);
-        QVERIFY(isNear(withProjection(orthographic, Projection::Perspective).position, perspective.position));
+        QVERIFY(isNear(withProjection(orthographic, Projection::Perspective).position,
+                       perspective.position));
     }
     void lookingStraightDownChoosesAnUp() {
         const Camera camera = lookingAlong(frontCamera(), {0, -1, 0});
@@ -104,7 +113,9 @@ class ViewMathTest : public QObject {
         QCOMPARE(handleAt(view, frame, Tool::Move, {10, 10}), Handle::None);
         QCOMPARE(handleAt(view, frame, Tool::Select, *end), Handle::None);
     }
-    void axisAlongTheViewHasNoHandle() { QVERIFY(!axisEnd(ViewProjection(frontCamera(), 800, 600), {}, 2)); }
+    void axisAlongTheViewHasNoHandle() {
+        QVERIFY(!axisEnd(ViewProjection(frontCamera(), 800, 600), {}, 2));
+    }
 
     void axisDragMovesAlongThatAxisOnly() {
         const ViewProjection view(frontCamera(), 800, 600);
@@ -123,12 +134,14 @@ class ViewMathTest : public QObject {
     void snappedDragMovesByWholeSteps() {
         const ViewProjection view(frontCamera(), 800, 600);
         const GizmoDrag drag(Tool::Move, Handle::X, {}, view, {400, 300});
-        QVERIFY(isNear(drag.change({.at = *view.project({0.34, 0, 0}), .snap = true}).translation, {0.3, 0, 0}));
+        QVERIFY(isNear(drag.change({.at = *view.project({0.34, 0, 0}), .snap = true}).translation,
+                       {0.3, 0, 0}));
     }
     void fineDragMovesATenth() {
         const ViewProjection view(frontCamera(), 800, 600);
         const GizmoDrag drag(Tool::Move, Handle::X, {}, view, {400, 300});
-        QVERIFY(isNear(drag.change({.at = *view.project({1, 0, 0}), .fine = true}).translation, {0.1, 0, 0}));
+        QVERIFY(isNear(drag.change({.at = *view.project({1, 0, 0}), .fine = true}).translation,
+                       {0.1, 0, 0}));
     }
     void turningCounterClockwiseIsPositiveAboutAnAxisTowardsTheViewer() {
         const ViewProjection view(frontCamera(), 800, 600);

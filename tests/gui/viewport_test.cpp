@@ -41,12 +41,16 @@ Scene threeThings() {
 
 const Item kRight = Item::of(ObjectId{2});
 
-void moveTo(QWidget* widget, const QPointF& at, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers = {}) {
-    QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, buttons, modifiers);
+void moveTo(QWidget* widget, const QPointF& at, Qt::MouseButtons buttons,
+            Qt::KeyboardModifiers modifiers = {}) {
+    QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, buttons,
+                     modifiers);
     QApplication::sendEvent(widget, &move);
 }
 
-DVec3 placeOf(MainWindow& window, Item item) { return worldFromItem(window.document().scene(), item).translation; }
+DVec3 placeOf(MainWindow& window, Item item) {
+    return worldFromItem(window.document().scene(), item).translation;
+}
 
 bool isNear(double a, double b, double tolerance = 1e-9) { return std::abs(a - b) <= tolerance; }
 
@@ -57,14 +61,17 @@ class ViewportTest : public QObject {
 
     std::unique_ptr<MainWindow> window_;
     RenderView& view() { return window_->view(); }
-    QPoint pixelOf(const DVec3& point) { return view().context().projection().project(point)->toPoint(); }
+    QPoint pixelOf(const DVec3& point) {
+        return view().context().projection().project(point)->toPoint();
+    }
     const Camera& camera() { return window_->document().scene().camera; }
     void open(const Scene& scene = threeThings()) {
         window_ = openWindow(scene);
         window_->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         view().setFocus();
-        QTRY_VERIFY_WITH_TIMEOUT(view().context().surfaceAt(QRectF(view().rect()).center()).has_value(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            view().context().surfaceAt(QRectF(view().rect()).center()).has_value(), kPatienceMs);
     }
     void useTool(const char* tool, Item item) {
         window_->selection().set({item});
@@ -72,7 +79,10 @@ class ViewportTest : public QObject {
         QVERIFY(view().context().gizmoFrame());
     }
     /// The end of an axis handle, on the screen.
-    QPoint tipOf(int axis) { return axisEnd(view().context().projection(), *view().context().gizmoFrame(), axis)->toPoint(); }
+    QPoint tipOf(int axis) {
+        return axisEnd(view().context().projection(), *view().context().gizmoFrame(), axis)
+            ->toPoint();
+    }
 
   private slots:
     void comparingShowsThePictureBeforeTheLastStepAtOnce() {
@@ -82,7 +92,8 @@ class ViewportTest : public QObject {
         const Renderer& renderer = window_->renderer();
         const auto converged = [&] {
             const SessionFrame* frame = renderer.frame();
-            return frame && frame->state == SessionState::Converged && QSize(frame->width, frame->height) == view().size() * view().devicePixelRatioF();
+            return frame && frame->state == SessionState::Converged &&
+                   QSize(frame->width, frame->height) == view().size() * view().devicePixelRatioF();
         };
         useTool("tool.move", kRight);
         QTest::qWait(200);  // The panel of the selection takes its place.
@@ -144,18 +155,24 @@ class ViewportTest : public QObject {
         QVERIFY(window_->selection().isEmpty());
     }
     void silhouetteIsThatOfEveryPixelsRay() {
-        for (const auto& selected : {std::vector<ObjectId>{ObjectId{1}}, {ObjectId{3}}, {ObjectId{1}, ObjectId{2}, ObjectId{3}}}) {
+        for (const auto& selected : {std::vector<ObjectId>{ObjectId{1}},
+                                     {ObjectId{3}},
+                                     {ObjectId{1}, ObjectId{2}, ObjectId{3}}}) {
             Scene scene = threeThings();
             scene.film = {.width = 203, .height = 150};
             AssetCache assets;
-            SilhouetteRequest request{compile(scene, {}, assets).value().scene, 203, 150, selected, selected.back(), {}};
+            SilhouetteRequest request{
+                compile(scene, {}, assets).value().scene, 203, 150, selected, selected.back(), {}};
             const std::vector<Shown> shown = silhouette(request);
             std::size_t wrong = 0, inside = 0;
             for (int y = 0; y < 150; ++y)
                 for (int x = 0; x < 203; ++x) {
                     const auto hit = pick(*request.scene, 203, 150, x + 0.5, y + 0.5);
-                    const bool chosen = hit && std::binary_search(selected.begin(), selected.end(), hit->object);
-                    const Shown wanted = !chosen ? Shown::Other : hit->object == request.active ? Shown::Active : Shown::Selected;
+                    const bool chosen =
+                        hit && std::binary_search(selected.begin(), selected.end(), hit->object);
+                    const Shown wanted = !chosen                         ? Shown::Other
+                                         : hit->object == request.active ? Shown::Active
+                                                                         : Shown::Selected;
                     inside += chosen;
                     wrong += shown[static_cast<std::size_t>(y * 203 + x)] != wanted;
                 }
@@ -172,7 +189,8 @@ class ViewportTest : public QObject {
         QCOMPARE(outline.size(), view().size() * view().devicePixelRatioF());
         const auto isDrawn = [&](const QPoint& at) { return qAlpha(outline.pixel(at)) > 0; };
         QVERIFY(!isDrawn(pixelOf({0, 0, 1})));
-        // Up from the middle of the ball: inside nothing, then a line of a few pixels, then nothing.
+        // Up from the middle of the ball: inside nothing, then a line of a few pixels, then
+        // nothing.
         const int x = outline.width() / 2;
         int lines = 0, thick = 0;
         for (int y = outline.height() / 2; y > 0; --y) {
@@ -210,7 +228,8 @@ class ViewportTest : public QObject {
         window_->actions()["edit.undo"]->trigger();
         drag(&view(), Qt::LeftButton, from, to, Qt::ControlModifier);
         const double snapped = placeOf(*window_, kBall).x;
-        QVERIFY(isNear(snapped * 10, std::round(snapped * 10), 1e-9) && std::abs(snapped - free) <= 0.05 + 1e-9);
+        QVERIFY(isNear(snapped * 10, std::round(snapped * 10), 1e-9) &&
+                std::abs(snapped - free) <= 0.05 + 1e-9);
         window_->actions()["edit.undo"]->trigger();
         drag(&view(), Qt::LeftButton, from, to, Qt::ShiftModifier);
         QVERIFY(isNear(placeOf(*window_, kBall).x, free / 10, free / 50));
@@ -224,7 +243,8 @@ class ViewportTest : public QObject {
             options.pivot = pivot;
             view().setTools(options);
             const QPoint origin = pixelOf(view().context().gizmoFrame()->origin);
-            QTest::mousePress(&view(), Qt::LeftButton, {}, origin + QPoint(static_cast<int>(kGizmoLength), 0));
+            QTest::mousePress(&view(), Qt::LeftButton, {},
+                              origin + QPoint(static_cast<int>(kGizmoLength), 0));
             QTest::keyClicks(&view(), "z180");
             QTest::keyClick(&view(), Qt::Key_Return);
             QTest::mouseRelease(&view(), Qt::LeftButton, {}, origin);
@@ -233,7 +253,8 @@ class ViewportTest : public QObject {
             return places;
         };
         const auto near = [](const DVec3& a, const DVec3& b) { return glm::length(a - b) < 1e-9; };
-        const auto median = turn(Pivot::Median), active = turn(Pivot::Active), own = turn(Pivot::Individual);
+        const auto median = turn(Pivot::Median), active = turn(Pivot::Active),
+                   own = turn(Pivot::Individual);
         QVERIFY(near(median.first, {1.4, 0, 0}) && near(median.second, {0, 0, 0.5}));
         QVERIFY(near(active.first, {2.8, 0, 0}) && near(active.second, {1.4, 0, 0.5}));
         QVERIFY(near(own.first, {0, 0, 0}) && near(own.second, {1.4, 0, 0.5}));
@@ -286,16 +307,20 @@ class ViewportTest : public QObject {
         drag(&view(), Qt::MiddleButton, at, at + QPoint(70, 30));
         QVERIFY(camera().position.x != 0);
         const QPointF after = *view().context().projection().project(before->position);
-        QVERIFY2(QLineF(after, QPointF(at)).length() < 1, qPrintable(QString::number(QLineF(after, QPointF(at)).length())));
+        QVERIFY2(QLineF(after, QPointF(at)).length() < 1,
+                 qPrintable(QString::number(QLineF(after, QPointF(at)).length())));
     }
     void wheelKeepsThePointUnderThePointer() {
         open();
         const QPoint at = pixelOf({1.4, 0, 1.1});
         const auto before = view().context().surfaceAt(at);
-        QWheelEvent wheel(at, view().mapToGlobal(QPointF(at)), {}, {0, 240}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+        QWheelEvent wheel(at, view().mapToGlobal(QPointF(at)), {}, {0, 240}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
         QApplication::sendEvent(&view(), &wheel);
         QVERIFY(glm::length(camera().position - before->position) < 4.5);
-        QVERIFY(QLineF(*view().context().projection().project(before->position), QPointF(at)).length() < 1);
+        QVERIFY(
+            QLineF(*view().context().projection().project(before->position), QPointF(at)).length() <
+            1);
     }
     void keysFrameAndLookAlongTheAxes() {
         open();
@@ -305,7 +330,8 @@ class ViewportTest : public QObject {
         QTest::keyClick(window_.get(), Qt::Key_Home);
         QVERIFY(glm::length(camera().target) < 1.5);
         const auto forward = [&] { return glm::normalize(camera().target - camera().position); };
-        const std::pair<Qt::Key, DVec3> views[] = {{Qt::Key_1, {0, 0, -1}}, {Qt::Key_3, {-1, 0, 0}}, {Qt::Key_7, {0, -1, 0}}};
+        const std::pair<Qt::Key, DVec3> views[] = {
+            {Qt::Key_1, {0, 0, -1}}, {Qt::Key_3, {-1, 0, 0}}, {Qt::Key_7, {0, -1, 0}}};
         for (const auto& [key, direction] : views) {
             QTest::keyClick(window_.get(), key, Qt::KeypadModifier);
             QVERIFY(glm::length(forward() - direction) < 1e-9);
@@ -333,7 +359,8 @@ class ViewportTest : public QObject {
         open();
         QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, pixelOf({0, 0, 1}));
         QVERIFY(camera().focusDistance);
-        QVERIFY2(isNear(*camera().focusDistance, 5, 1e-3), qPrintable(QString::number(*camera().focusDistance)));
+        QVERIFY2(isNear(*camera().focusDistance, 5, 1e-3),
+                 qPrintable(QString::number(*camera().focusDistance)));
         QCOMPARE(window_->document().undoStack().undoText(), QString("Focus"));
     }
     void camerasAreListedAndLookedThrough() {

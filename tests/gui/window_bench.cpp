@@ -1,6 +1,7 @@
-// glint-window-bench: the editor's window under random edits: how long its thread is held, how soon an edit is on the screen, and what a
-// window costs that has nothing to do. A measurement, not a test. Usage: glint-window-bench SCENE [EDITS] [JSON], or for memory
-// glint-window-bench soak SCENE [MINUTES] [JSON].
+// glint-window-bench: the editor's window under random edits: how long its thread is held, how soon
+// an edit is on the screen, and what a window costs that has nothing to do. A measurement, not a
+// test. Usage: glint-window-bench SCENE [EDITS] [JSON], or for memory glint-window-bench soak SCENE
+// [MINUTES] [JSON].
 #include <QApplication>
 #include <QEventLoop>
 #include <QPaintEvent>
@@ -29,7 +30,8 @@ namespace {
 
 constexpr int kWidth = 1280, kHeight = 720;  // of the picture
 
-/// How long calls took [ms]: on the clock, and of the processor alone, which other programs do not add to.
+/// How long calls took [ms]: on the clock, and of the processor alone, which other programs do not
+/// add to.
 struct Times {
     std::vector<double> clock, processor;
     void add(const Stopwatch& watch) {
@@ -53,7 +55,8 @@ class TimedApplication : public QApplication {
     std::function<void()> painted;
 
     bool notify(QObject* receiver, QEvent* event) override {
-        const bool takes = receiver == renderer && event->type() == QEvent::MetaCall, paints = receiver == view && event->type() == QEvent::Paint;
+        const bool takes = receiver == renderer && event->type() == QEvent::MetaCall,
+                   paints = receiver == view && event->type() == QEvent::Paint;
         const Stopwatch watch;
         ++depth_;
         const bool result = QApplication::notify(receiver, event);
@@ -70,15 +73,27 @@ class TimedApplication : public QApplication {
 };
 
 void print(const char* what, const Times& times, Json& json) {
-    std::printf("%-28s %6zu times: p50 %.2f, p99 %.2f, p99.9 %.2f, longest %.2f ms; of the processor p99.9 %.2f ms\n", what, times.clock.size(), at(times.clock, 0.5),
-                at(times.clock, 0.99), at(times.clock, 0.999), at(times.clock, 1), at(times.processor, 0.999));
-    json.push_back({{"what", what}, {"count", times.clock.size()}, {"p50_ms", at(times.clock, 0.5)}, {"p99_ms", at(times.clock, 0.99)}, {"p999_ms", at(times.clock, 0.999)},
+    std::printf(
+        "%-28s %6zu times: p50 %.2f, p99 %.2f, p99.9 %.2f, longest %.2f ms; of the processor p99.9 "
+        "%.2f ms\n",
+        what, times.clock.size(), at(times.clock, 0.5), at(times.clock, 0.99),
+        at(times.clock, 0.999), at(times.clock, 1), at(times.processor, 0.999));
+    json.push_back({{"what", what},
+                    {"count", times.clock.size()},
+                    {"p50_ms", at(times.clock, 0.5)},
+                    {"p99_ms", at(times.clock, 0.99)},
+                    {"p999_ms", at(times.clock, 0.999)},
                     {"processor_p999_ms", at(times.processor, 0.999)}});
 }
 
 void print(const char* what, const std::vector<double>& ms, Json& json) {
-    std::printf("%-28s %6zu times: p50 %.2f, p95 %.2f, p99 %.2f ms\n", what, ms.size(), at(ms, 0.5), at(ms, 0.95), at(ms, 0.99));
-    json.push_back({{"what", what}, {"count", ms.size()}, {"p50_ms", at(ms, 0.5)}, {"p95_ms", at(ms, 0.95)}, {"p99_ms", at(ms, 0.99)}});
+    std::printf("%-28s %6zu times: p50 %.2f, p95 %.2f, p99 %.2f ms\n", what, ms.size(), at(ms, 0.5),
+                at(ms, 0.95), at(ms, 0.99));
+    json.push_back({{"what", what},
+                    {"count", ms.size()},
+                    {"p50_ms", at(ms, 0.5)},
+                    {"p95_ms", at(ms, 0.95)},
+                    {"p99_ms", at(ms, 0.99)}});
 }
 
 /// Lets the window alone for so long. A loop that sleeps: QTest::qWait() polls.
@@ -98,7 +113,9 @@ int main(int argc, char** argv) {
         ++argv;
     }
     if (argc < 2) {
-        std::fprintf(stderr, "usage: glint-window-bench SCENE [EDITS] [JSON]\n       glint-window-bench soak SCENE [MINUTES] [JSON]\n");
+        std::fprintf(stderr,
+                     "usage: glint-window-bench SCENE [EDITS] [JSON]\n       glint-window-bench "
+                     "soak SCENE [MINUTES] [JSON]\n");
         return 1;
     }
     auto loaded = loadScene(argv[1]);
@@ -113,7 +130,8 @@ int main(int argc, char** argv) {
     window.resize(window.size() + QSize(kWidth, kHeight) - window.view().size());
     Renderer& renderer = window.renderer();
     const auto frame = [&] { return renderer.frame(); };
-    if (!QTest::qWaitFor([&] { return frame() && frame()->spp > 0; }, 60000)) return complain({.message = "no picture came"}, 4);
+    if (!QTest::qWaitFor([&] { return frame() && frame()->spp > 0; }, 60000))
+        return complain({.message = "no picture came"}, 4);
     std::printf("picture of %d x %d\n", frame()->width, frame()->height);
 
     Json json = Json::array();
@@ -128,7 +146,8 @@ int main(int argc, char** argv) {
     std::uint64_t wanted = 0;
     application.renderer = &renderer;
     application.view = &window.view();
-    QEventLoop untilShown;  // Sleeps between events, as the application's own loop: QTest::qWaitFor() polls every 10 ms.
+    QEventLoop untilShown;  // Sleeps between events, as the application's own loop:
+                            // QTest::qWaitFor() polls every 10 ms.
     application.painted = [&] {
         if (!sinceEdit || !frame() || frame()->revision < wanted) return;
         shown.push_back(1e3 * sinceEdit->wallSeconds());
@@ -162,7 +181,8 @@ int main(int argc, char** argv) {
     Scene ends = window.document().scene();
     ends.render.spp = 4;
     window.document().edit(ends, QStringLiteral("Edit"));
-    if (!QTest::qWaitFor([&] { return frame()->state == SessionState::Converged; }, 600000)) return complain({.message = "the picture did not converge"}, 4);
+    if (!QTest::qWaitFor([&] { return frame()->state == SessionState::Converged; }, 600000))
+        return complain({.message = "the picture did not converge"}, 4);
     const auto idle = [&](const char* what) {
         // Pictures of materials and the like may still be in the making.
         for (int i = 0; i < 60; ++i) {
@@ -174,8 +194,10 @@ int main(int argc, char** argv) {
         const Stopwatch watch;
         rest(5000);
         const double share = watch.processSeconds() / watch.wallSeconds();
-        std::printf("%-28s %.3f %% of a processor, %llu rays\n", what, 100 * share, static_cast<unsigned long long>(frame()->rays - rays));
-        json.push_back({{"what", what}, {"processor_share", share}, {"rays", frame()->rays - rays}});
+        std::printf("%-28s %.3f %% of a processor, %llu rays\n", what, 100 * share,
+                    static_cast<unsigned long long>(frame()->rays - rays));
+        json.push_back(
+            {{"what", what}, {"processor_share", share}, {"rays", frame()->rays - rays}});
     };
     idle("converged");
     ends.render.spp = 1 << 20;

@@ -36,7 +36,9 @@ namespace {
 /// The picture shows what the document holds: its middle shows (or no longer shows) an object.
 bool middleShows(MainWindow& window, bool object) {
     const QPointF middle = QRectF(window.view().rect()).center();
-    return QTest::qWaitFor([&] { return window.view().context().surfaceAt(middle).has_value() == object; }, kPatienceMs);
+    return QTest::qWaitFor(
+        [&] { return window.view().context().surfaceAt(middle).has_value() == object; },
+        kPatienceMs);
 }
 
 Scene lit(Scene scene) {
@@ -45,7 +47,9 @@ Scene lit(Scene scene) {
     return scene;
 }
 
-void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
+void write(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream(file) << text;
+}
 
 }  // namespace
 
@@ -54,14 +58,18 @@ class WindowTest : public QObject {
 
     QTemporaryDir folder_;
 
-    [[nodiscard]] std::filesystem::path file(const char* name) const { return toPath(folder_.filePath(name)); }
+    [[nodiscard]] std::filesystem::path file(const char* name) const {
+        return toPath(folder_.filePath(name));
+    }
 
   private slots:
     void pictureComesAndStatusTells() {
         const auto window = openWindow(lit(smallScene()));
-        QTRY_VERIFY_WITH_TIMEOUT(window->renderer().frame() && window->renderer().frame()->spp > 0, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(window->renderer().frame() && window->renderer().frame()->spp > 0,
+                                 kPatienceMs);
         QVERIFY(window->status().text().contains("spp"));
-        QTRY_VERIFY_WITH_TIMEOUT(window->renderer().frame()->state == SessionState::Converged, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(window->renderer().frame()->state == SessionState::Converged,
+                                 kPatienceMs);
     }
     void clickSelectsAndEmptyGroundDeselects() {
         const auto window = openWindow(lit(smallScene()));
@@ -97,7 +105,8 @@ class WindowTest : public QObject {
     void everyAddEntryMakesASoundScene() {
         const auto window = openWindow(lit(smallScene()));
         for (QAction* action : window->findChildren<QAction*>())
-            if (action->objectName().startsWith("add.") && action->objectName() != "add.menu") action->trigger();
+            if (action->objectName().startsWith("add.") && action->objectName() != "add.menu")
+                action->trigger();
         QVERIFY(window->document().scene().objects.size() >= AllShapes::kinds.size());
         QVERIFY(parseScene(formatScene(window->document().scene()), "text").ok());
     }
@@ -141,7 +150,8 @@ class WindowTest : public QObject {
         window->actions()["tool.move"]->trigger();
         const Scene before = window->document().scene();
         QTest::mousePress(&view, Qt::LeftButton, {}, view.rect().center());
-        QMouseEvent move(QEvent::MouseMove, QPointF(50, 50), view.mapToGlobal(QPointF(50, 50)), Qt::NoButton, Qt::LeftButton, {});
+        QMouseEvent move(QEvent::MouseMove, QPointF(50, 50), view.mapToGlobal(QPointF(50, 50)),
+                         Qt::NoButton, Qt::LeftButton, {});
         QApplication::sendEvent(&view, &move);
         QVERIFY(!(window->document().scene() == before));
         QTest::keyClick(&view, Qt::Key_Escape);
@@ -169,7 +179,8 @@ class WindowTest : public QObject {
         const auto window = openWindow(lit(smallScene()));
         RenderView& view = window->view();
         const QPointF at(view.width() / 2.0, view.height() / 2.0);
-        QWheelEvent wheel(at, view.mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+        QWheelEvent wheel(at, view.mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
         QApplication::sendEvent(&view, &wheel);
         QVERIFY(window->document().scene().camera.position.z < 6);
     }
@@ -192,7 +203,9 @@ class WindowTest : public QObject {
     }
     void exposureNeedsNoNewRender() {
         const auto window = openWindow(lit(smallScene()));
-        QTRY_VERIFY_WITH_TIMEOUT(window->renderer().frame() && window->renderer().frame()->state == SessionState::Converged, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(window->renderer().frame() &&
+                                     window->renderer().frame()->state == SessionState::Converged,
+                                 kPatienceMs);
         const auto revision = window->renderer().frame()->revision;
         const auto pixel = [&] { return window->renderer().frame()->pixels.front() & 0xffU; };
         const auto before = pixel();
@@ -213,7 +226,8 @@ class WindowTest : public QObject {
     }
     void savedSceneOpensEqual() {
         const auto window = openWindow(lit(smallScene()));
-        emit window->environment().thumbnails()->itemActivated(window->environment().thumbnails()->item(2));
+        emit window->environment().thumbnails()->itemActivated(
+            window->environment().thumbnails()->item(2));
         const Scene scene = window->document().scene();
         QVERIFY(window->files().saveTo(file("saved.glint.json")));
         QVERIFY(!window->document().isModified());
@@ -233,7 +247,8 @@ class WindowTest : public QObject {
         MainWindow window(Memory::None, reading);
         QVERIFY(window.document().scene() == scene);
         window.show();
-        QTRY_COMPARE_WITH_TIMEOUT(window.windowTitle(), QStringLiteral("first.json — Glint"), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(window.windowTitle(), QStringLiteral("first.json — Glint"),
+                                  kPatienceMs);
     }
     void dockIsFilledWhenItIsSeen() {
         const auto window = openWindow();
@@ -247,7 +262,9 @@ class WindowTest : public QObject {
         MainWindow window(Memory::None);
         window.show();
         const auto* tree = window.objectList().findChild<QTreeView*>();
-        const auto height = [tree] { return tree->visualRect(tree->model()->index(0, 0)).height(); };
+        const auto height = [tree] {
+            return tree->visualRect(tree->model()->index(0, 0)).height();
+        };
         const int before = height();
         window.document().replace(smallScene(), {});
         QCoreApplication::processEvents();
@@ -289,7 +306,9 @@ class WindowTest : public QObject {
     }
     void partOfABadFileOpensAsUntitled() {
         const auto window = openWindow(lit(smallScene()));
-        write(file("part.json"), R"({"glint": 1, "objects": [{"name": "Good", "shape": {"type": "sphere"}}, {"name": "Bad", "shape": {"type": "spher"}}]})");
+        write(
+            file("part.json"),
+            R"({"glint": 1, "objects": [{"name": "Good", "shape": {"type": "sphere"}}, {"name": "Bad", "shape": {"type": "spher"}}]})");
         window->files().load(file("part.json"));
         QTRY_VERIFY_WITH_TIMEOUT(window->messages().isVisible(), kPatienceMs);
         auto* open = window->messages().findChild<QPushButton*>();
@@ -320,7 +339,8 @@ class WindowTest : public QObject {
     }
     void exportWritesAPicture() {
         const auto window = openWindow(lit(smallScene()));
-        ExportRequest request{window->document().scene(), window->document().assetFolder(), file("out.exr")};
+        ExportRequest request{window->document().scene(), window->document().assetFolder(),
+                              file("out.exr")};
         request.scene.film = {.width = 32, .height = 24};
         window->exports().add(request);
         QTRY_VERIFY_WITH_TIMEOUT(window->exports().isIdle(), kPatienceMs);
@@ -360,9 +380,11 @@ class WindowTest : public QObject {
         Scene scene = lit(smallScene());
         scene.render.spp = 1000000;
         const auto window = openWindow(scene);
-        QTRY_VERIFY_WITH_TIMEOUT(window->renderer().frame() && window->renderer().frame()->spp > 0, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(window->renderer().frame() && window->renderer().frame()->spp > 0,
+                                 kPatienceMs);
         window->actions()["render.pause"]->trigger();
-        QTRY_COMPARE_WITH_TIMEOUT(window->renderer().frame()->state, SessionState::Paused, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(window->renderer().frame()->state, SessionState::Paused,
+                                  kPatienceMs);
         QVERIFY(window->renderer().frame()->spp > 0);
         QVERIFY(window->status().text().contains("paused"));
     }
@@ -397,7 +419,8 @@ class WindowTest : public QObject {
         for (const QAction* action : window->actions().all())
             for (const QKeySequence& key : action->shortcuts()) {
                 const QString text = key.toString();
-                QVERIFY2(!owner.contains(text), qPrintable(text + " of " + action->objectName() + " and " + owner[text]));
+                QVERIFY2(!owner.contains(text),
+                         qPrintable(text + " of " + action->objectName() + " and " + owner[text]));
                 owner[text] = action->objectName();
             }
     }
@@ -430,11 +453,13 @@ class WindowTest : public QObject {
         auto* objects = window->findChild<QDockWidget*>("objects");
         QCOMPARE(window->dockWidgetArea(objects), Qt::LeftDockWidgetArea);
         window->resize(800, 600);
-        QTRY_COMPARE_WITH_TIMEOUT(window->dockWidgetArea(objects), Qt::RightDockWidgetArea, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(window->dockWidgetArea(objects), Qt::RightDockWidgetArea,
+                                  kPatienceMs);
         QTRY_VERIFY_WITH_TIMEOUT(window->view().width() >= 400, kPatienceMs);
         QTRY_COMPARE_WITH_TIMEOUT(window->size(), QSize(800, 600), kPatienceMs);
         window->resize(1400, 900);
-        QTRY_COMPARE_WITH_TIMEOUT(window->dockWidgetArea(objects), Qt::LeftDockWidgetArea, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(window->dockWidgetArea(objects), Qt::LeftDockWidgetArea,
+                                  kPatienceMs);
         QVERIFY(objects->isVisible());
     }
     void dockDoesNotGrowWithTheForm() {
@@ -455,7 +480,10 @@ class WindowTest : public QObject {
         auto* sun = window->environment().findChild<Dial*>("environment.sun");
         QVERIFY(turn && sun);
         QTRY_VERIFY_WITH_TIMEOUT(sun->isVisible() && sun->size() == sun->sizeHint(), kPatienceMs);
-        const auto at = [](const Dial* dial, double right, double up) { return dial->rect().center() + QPoint(static_cast<int>(right * dial->width() / 2), -static_cast<int>(up * dial->height() / 2)); };
+        const auto at = [](const Dial* dial, double right, double up) {
+            return dial->rect().center() + QPoint(static_cast<int>(right * dial->width() / 2),
+                                                  -static_cast<int>(up * dial->height() / 2));
+        };
         Document& document = window->document();
         // From the top a quarter clockwise.
         test::drag(turn, Qt::LeftButton, at(turn, 0, 0.6), at(turn, 0.6, 0));
@@ -467,10 +495,12 @@ class WindowTest : public QObject {
         const Scene before = document.scene();
         for (Dial* dial : {turn, sun}) {
             QTest::mousePress(dial, Qt::LeftButton, {}, at(dial, -0.5, 0));
-            QMouseEvent move(QEvent::MouseMove, QPointF(at(dial, 0, -0.5)), QPointF(), Qt::NoButton, Qt::LeftButton, {});
+            QMouseEvent move(QEvent::MouseMove, QPointF(at(dial, 0, -0.5)), QPointF(), Qt::NoButton,
+                             Qt::LeftButton, {});
             QApplication::sendEvent(dial, &move);
             QVERIFY(document.isPreviewing());
-            QTest::mouseRelease(dial, Qt::RightButton, {}, at(dial, 0, 0));  // Another button ends nothing.
+            QTest::mouseRelease(dial, Qt::RightButton, {},
+                                at(dial, 0, 0));  // Another button ends nothing.
             QVERIFY(document.isPreviewing());
             QTest::keyClick(dial, Qt::Key_Escape);
             QVERIFY(!document.isPreviewing() && document.scene() == before);
@@ -478,7 +508,8 @@ class WindowTest : public QObject {
             QVERIFY(document.scene() == before);
         }
         QTest::keyClick(turn, Qt::Key_Right);
-        QVERIFY(std::abs(document.committed().environment.rotationDegrees - before.environment.rotationDegrees - 5) < 1e-9);
+        QVERIFY(std::abs(document.committed().environment.rotationDegrees -
+                         before.environment.rotationDegrees - 5) < 1e-9);
     }
     void numbersLoseDigitsRatherThanBeingCut() {
         DragNumber number;

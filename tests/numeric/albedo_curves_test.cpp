@@ -1,4 +1,5 @@
-// The curves of what microsurfaces lose, against a sum over visible normals that knows of no borders and no curves.
+// The curves of what microsurfaces lose, against a sum over visible normals that knows of no
+// borders and no curves.
 #include <gtest/gtest.h>
 
 #include "tracer/materials/albedo_curves.h"
@@ -6,7 +7,8 @@
 namespace glint::test {
 namespace {
 
-/// 1 - E by the midpoint rule over the uniform numbers that choose a visible normal; eta 0: everything is reflected.
+/// 1 - E by the midpoint rule over the uniform numbers that choose a visible normal; eta 0:
+/// everything is reflected.
 double lossBySum(double cosine, double alpha, double eta) {
     constexpr int kSteps = 1200;
     const Ggx ggx(alpha);
@@ -15,8 +17,10 @@ double lossBySum(double cosine, double alpha, double eta) {
     for (int a = 0; a < kSteps; ++a)
         for (int j = 0; j < kSteps; ++j) {
             // Crowded behind the viewer and at steep normals, where the horizon cuts.
-            const double x = (a + 0.5) / kSteps, v = (j + 0.5) / kSteps, weight = 2 * x * 3 * v * v / (kSteps * kSteps);
-            const DVec3 h = ggx.visibleNormal(o, {0.5 * (1 - x * x), 1 - v * v * v}), i = reflectAbout(o, h);
+            const double x = (a + 0.5) / kSteps, v = (j + 0.5) / kSteps,
+                         weight = 2 * x * 3 * v * v / (kSteps * kSteps);
+            const DVec3 h = ggx.visibleNormal(o, {0.5 * (1 - x * x), 1 - v * v * v}),
+                        i = reflectAbout(o, h);
             const double c = glm::dot(o, h);
             const FresnelTerm fresnel = eta > 0 ? fresnelTerm(c, eta) : FresnelTerm{};
             if (i.z > 0) kept += weight * fresnel.reflectance * ggx.shadowing(o, i);
@@ -33,10 +37,13 @@ TEST(AlbedoCurves, OfLossesAgreeWithASumOverVisibleNormals) {
     double worst = 0;
     for (const double alpha : {1e-3, 0.1, 1.0})
         for (const double eta : {0.0, 1 / 1.5, 1.5, 1.05}) {
-            const MicrosurfaceLoss loss = eta > 0 ? MicrosurfaceLoss(alpha, eta) : MicrosurfaceLoss(alpha);
+            const MicrosurfaceLoss loss =
+                eta > 0 ? MicrosurfaceLoss(alpha, eta) : MicrosurfaceLoss(alpha);
             for (const double angle : kAngles) {
-                const double cosine = std::cos(degreesToRadians(angle)), exact = lossBySum(cosine, alpha, eta);
-                EXPECT_NEAR(loss(cosine), exact, 1e-4) << "alpha " << alpha << ", eta " << eta << ", " << angle << " degrees";
+                const double cosine = std::cos(degreesToRadians(angle)),
+                             exact = lossBySum(cosine, alpha, eta);
+                EXPECT_NEAR(loss(cosine), exact, 1e-4)
+                    << "alpha " << alpha << ", eta " << eta << ", " << angle << " degrees";
                 worst = std::max(worst, std::abs(loss(cosine) - exact));
             }
         }
@@ -54,7 +61,8 @@ TEST(AlbedoCurves, AveragesAreThoseOfTheCurves) {
             constexpr int kSteps = 400000;
             double lost = 0, passes = 0;
             for (int k = 0; k < kSteps; ++k) {
-                const double x = (k + 0.5) / kSteps, cosine = x * x, weight = 4 * x * cosine / kSteps;
+                const double x = (k + 0.5) / kSteps, cosine = x * x,
+                             weight = 4 * x * cosine / kSteps;
                 lost += weight * loss(cosine);
                 passes += weight * passing(cosine);
             }

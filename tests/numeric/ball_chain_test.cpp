@@ -1,4 +1,5 @@
-// Chains over a ball: each one found is a path that Snell's law takes, none is missed, and their spread is that of the rays.
+// Chains over a ball: each one found is a path that Snell's law takes, none is missed, and their
+// spread is that of the rays.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -15,7 +16,8 @@ struct Exit {
     bool found = false;
 };
 
-/// Follows a ray from outside over the unit ball with `chords` pieces inside, by the vector forms of the laws.
+/// Follows a ray from outside over the unit ball with `chords` pieces inside, by the vector forms
+/// of the laws.
 Exit follow(const DVec3& origin, const DVec3& direction, double n, int chords) {
     const double along = -glm::dot(origin, direction);
     const DVec3 nearest = origin + along * direction;
@@ -59,13 +61,15 @@ Setting randomSetting(std::mt19937_64& random) {
     s.chords = static_cast<int>(3 * u(random));
     s.toX = glm::normalize(s.x);
     const DVec3 toY = glm::normalize(s.y), normal = glm::cross(s.toX, toY);
-    s.ends = {1 / glm::length(s.x), s.far ? 0 : 1 / glm::length(s.y), glm::length(normal), glm::dot(s.toX, toY)};
+    s.ends = {1 / glm::length(s.x), s.far ? 0 : 1 / glm::length(s.y), glm::length(normal),
+              glm::dot(s.toX, toY)};
     s.across = glm::cross(normal, s.toX) / s.ends.sine;
     return s;
 }
 
 DVec3 firstMeeting(const Setting& s, const BallChain& chain) {
-    return std::cos(chain.side * chain.first) * s.toX + std::sin(chain.side * chain.first) * s.across;
+    return std::cos(chain.side * chain.first) * s.toX +
+           std::sin(chain.side * chain.first) * s.across;
 }
 
 /// Calls check(setting, chain, round) for every chain of 20 000 random settings.
@@ -87,7 +91,8 @@ TEST(BallChain, EachIsAPathBySnellsLaw) {
         const Exit exit = follow(s.x, glm::normalize(firstMeeting(s, chain) - s.x), s.n, s.chords);
         ASSERT_TRUE(exit.found);
         const DVec3 wanted = s.far ? s.y : glm::normalize(s.y - exit.position);
-        EXPECT_NEAR(glm::dot(exit.direction, wanted), 1, 1e-9) << "round " << round << " chords " << s.chords;
+        EXPECT_NEAR(glm::dot(exit.direction, wanted), 1, 1e-9)
+            << "round " << round << " chords " << s.chords;
         ++found;
     });
     EXPECT_GT(found, 8000);
@@ -107,16 +112,23 @@ TEST(BallChain, NoneIsMissed) {
             double before = 0;
             for (int k = 0; k <= kSteps; ++k) {
                 const double i = kPi / 2 * k / kSteps, sine = std::sin(i);
-                const double turn = s.chords * kPi + 2 * i - std::asin(s.ends.sx * sine) - std::asin(s.ends.sy * sine) - 2 * s.chords * std::asin(sine / s.n);
+                const double turn = s.chords * kPi + 2 * i - std::asin(s.ends.sx * sine) -
+                                    std::asin(s.ends.sy * sine) -
+                                    2 * s.chords * std::asin(sine / s.n);
                 const double residual = std::remainder(turn - side * theta, 2 * kPi);
-                if (k > 0 && std::abs(residual) < 1 && std::abs(before) < 1 && (residual > 0) != (before > 0)) ++scanned;
-                if (std::abs(residual) < 2e-3) nearFold = nearFold || std::abs(residual - before) < 2e-6 || k == 0 || k == kSteps;
+                if (k > 0 && std::abs(residual) < 1 && std::abs(before) < 1 &&
+                    (residual > 0) != (before > 0))
+                    ++scanned;
+                if (std::abs(residual) < 2e-3)
+                    nearFold =
+                        nearFold || std::abs(residual - before) < 2e-6 || k == 0 || k == kSteps;
                 before = residual;
             }
         }
         if (nearFold) continue;
         std::array<BallChain, kMaxBallChains> chains;
-        EXPECT_EQ(findBallChains(s.ends, s.n, s.chords, chains), scanned) << "round " << round << " chords " << s.chords;
+        EXPECT_EQ(findBallChains(s.ends, s.n, s.chords, chains), scanned)
+            << "round " << round << " chords " << s.chords;
         counted += scanned;
     }
     EXPECT_GT(counted, 800);
@@ -127,16 +139,22 @@ TEST(BallChain, SpreadsAsNeighbouringRaysDo) {
     int compared = 0;
     forEachChain(3, [&](const Setting& s, const BallChain& chain, int round) {
         const double spread = ballChainSpread(s.ends, s.n, s.chords, chain.sine, chain.cosine);
-        if (chain.cosine < 0.02 || s.ends.sine < 0.02 || spread > 50) return;  // Differences lose their digits at edges and folds.
+        if (chain.cosine < 0.02 || s.ends.sine < 0.02 || spread > 50)
+            return;  // Differences lose their digits at edges and folds.
         const Frame frame(glm::normalize(firstMeeting(s, chain) - s.x));
         const auto endOf = [&](double a, double b) {
-            const Exit exit = follow(s.x, glm::normalize(frame.toWorld(DVec3(a, b, 1.0))), s.n, s.chords);
+            const Exit exit =
+                follow(s.x, glm::normalize(frame.toWorld(DVec3(a, b, 1.0))), s.n, s.chords);
             if (s.far) return exit.direction;
-            const DVec3 wanted = glm::normalize(s.y - exit.position);  // To the plane through y across the light.
-            return exit.position + glm::dot(s.y - exit.position, wanted) / glm::dot(exit.direction, wanted) * exit.direction;
+            const DVec3 wanted =
+                glm::normalize(s.y - exit.position);  // To the plane through y across the light.
+            return exit.position + glm::dot(s.y - exit.position, wanted) /
+                                       glm::dot(exit.direction, wanted) * exit.direction;
         };
-        const DVec3 da = (endOf(kStep, 0) - endOf(-kStep, 0)) / (2 * kStep), db = (endOf(0, kStep) - endOf(0, -kStep)) / (2 * kStep);
-        EXPECT_NEAR(spread * glm::length(glm::cross(da, db)), 1, 2e-3) << "round " << round << " chords " << s.chords;
+        const DVec3 da = (endOf(kStep, 0) - endOf(-kStep, 0)) / (2 * kStep),
+                    db = (endOf(0, kStep) - endOf(0, -kStep)) / (2 * kStep);
+        EXPECT_NEAR(spread * glm::length(glm::cross(da, db)), 1, 2e-3)
+            << "round " << round << " chords " << s.chords;
         ++compared;
     });
     EXPECT_GT(compared, 5000);

@@ -54,10 +54,13 @@ TEST(BsdfEnergy, WhiteLeavesKeepAllLight) {
                 return std::abs(1 - directionalAlbedo(c, wo));
             };
             metal = std::max(metal, lost({"metal", MetalBsdf(Rgb(1.0f), a), 1, alpha}));
-            thin = std::max(thin, lost({"thin", RoughThinGlassBsdf(1.5f, a, kAir), 1, alpha, true}));
-            glossy = std::max(glossy, lost({"glossy", GlossyBsdf(Rgb(1.0f), 1.5f, a, kAir), 1, alpha}));
+            thin =
+                std::max(thin, lost({"thin", RoughThinGlassBsdf(1.5f, a, kAir), 1, alpha, true}));
+            glossy =
+                std::max(glossy, lost({"glossy", GlossyBsdf(Rgb(1.0f), 1.5f, a, kAir), 1, alpha}));
             for (const float eta : {1 / 1.5f, 1.5f})
-                glass = std::max(glass, lost({"glass", RoughGlassBsdf(a, std::array{eta}), eta, alpha, true, true}));
+                glass = std::max(glass, lost({"glass", RoughGlassBsdf(a, std::array{eta}), eta,
+                                              alpha, true, true}));
         }
     }
     std::printf("largest difference from 1: metal %.1e, thin glass %.1e, glossy %.1e, glass %.1e\n",

@@ -51,8 +51,11 @@ TEST(BsdfSampling, SamplesMatchPdf) {
             const std::vector<double> counts = histogram(c, wo, samples, uniforms);
             // Total reflection begins with a square root in the rows, Phong's horizon is steep in
             // the columns.
-            const DirectionGrid quick = c.aroundMirror ? DirectionGrid{24, 96} : DirectionGrid{c.refracts ? 16 : 6, 6};
-            const DirectionGrid rule = !fullCounts() ? quick : c.aroundMirror ? DirectionGrid{8, 12} : DirectionGrid{4, 2};
+            const DirectionGrid quick =
+                c.aroundMirror ? DirectionGrid{24, 96} : DirectionGrid{c.refracts ? 16 : 6, 6};
+            const DirectionGrid rule = !fullCounts()    ? quick
+                                       : c.aroundMirror ? DirectionGrid{8, 12}
+                                                        : DirectionGrid{4, 2};
             std::vector<double> expected = integrateCells(c, kGrid, wo, rule, [&](const Vec3& wi) {
                 return static_cast<double>(pdfLeaf(c, wo, wi)) * samples;
             });

@@ -1,5 +1,5 @@
-// LightBuffer: shadow rays to any part of a light meet among the shapes of their cell what they meet
-// among all, and most shapes are left out.
+// LightBuffer: shadow rays to any part of a light meet among the shapes of their cell what they
+// meet among all, and most shapes are left out.
 #include "tracer/compile/light_buffer.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,8 @@ void compareRays(const std::vector<ShapeInstance>& shapes, const LightPlace& pla
     for (int i = 0; i < 4000; ++i) {
         DVec3 from = scale * (random.uniform() < 0.1 ? 30.0 : 1.3) * random.inCube(1);
         if (i % 2 == 0) from.y = shapes[0].center.y;
-        if (i % 16 == 1) from = place.infinitelyFar ? DVec3(0.0) : place.at + scale * DVec3(1, 1, -1);
+        if (i % 16 == 1)
+            from = place.infinitelyFar ? DVec3(0.0) : place.at + scale * DVec3(1, 1, -1);
         const auto [direction, distance] = towards(from);
         const Ray ray{from, direction, i % 2 == 0 ? 0u : kNoShape};
         const FewShapes* few = buffer.between(from);
@@ -94,7 +95,8 @@ TEST(LightBuffer, RaysToASunMeetAmongTheFewWhatTheyMeetAmongAll) {
     for (const std::size_t count : {12, 40, 129})
         for (const double scale : {1.0, 1e-6, 1e8})
             for (const double tangent : {0.0, 0.0047, 0.05})
-                for (const DVec3& towards : {DVec3(0, 1, 0), DVec3(0.9, 0.1, -0.3), DVec3(0, 0, -1)}) {
+                for (const DVec3& towards :
+                     {DVec3(0, 1, 0), DVec3(0.9, 0.1, -0.3), DVec3(0, 0, -1)}) {
                     const LightPlace place{true, glm::normalize(towards), tangent};
                     compareRays(
                         makeField(count, scale, random), place, scale,

@@ -1,6 +1,7 @@
-// Directions towards lights of every kind against their densities (chi-square), cell by cell: each sample stands for 1 / pdf of solid
-// angle, and those of a cell must add up to the solid angle of the light that a grid of directions finds there. Densities of area
-// sampling grow without bound at outlines, their inverse does not. T15
+// Directions towards lights of every kind against their densities (chi-square), cell by cell: each
+// sample stands for 1 / pdf of solid angle, and those of a cell must add up to the solid angle of
+// the light that a grid of directions finds there. Densities of area sampling grow without bound at
+// outlines, their inverse does not. T15
 #include <gtest/gtest.h>
 
 #include <random>
@@ -16,7 +17,8 @@ namespace {
 constexpr double kSuiteAlpha = 1e-3;
 constexpr unsigned kSeed = 20240612;
 
-/// Cells about an axis, even in the solid angle: rows in the cosine from 1 to `least`, columns in the azimuth.
+/// Cells about an axis, even in the solid angle: rows in the cosine from 1 to `least`, columns in
+/// the azimuth.
 struct Cells {
     Frame frame;
     double least = -1;
@@ -24,16 +26,19 @@ struct Cells {
 
     [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(rows * columns); }
     [[nodiscard]] DVec3 direction(double row, double column) const {
-        const double cosine = 1 - (1 - least) * row / rows, phi = 2 * kPi * column / columns, sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+        const double cosine = 1 - (1 - least) * row / rows, phi = 2 * kPi * column / columns,
+                     sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
         return frame.toWorld(DVec3(sine * std::cos(phi), sine * std::sin(phi), cosine));
     }
     /// count() for a direction outside.
     [[nodiscard]] std::size_t cellOf(const DVec3& wi) const {
         const DVec3 local = frame.toLocal(wi);
-        const double row = (1 - local.z) / (1 - least) * rows, turn = std::atan2(local.y, local.x) / (2 * kPi);
+        const double row = (1 - local.z) / (1 - least) * rows,
+                     turn = std::atan2(local.y, local.x) / (2 * kPi);
         if (!(row < rows)) return count();
         return static_cast<std::size_t>(std::max(0.0, row)) * static_cast<std::size_t>(columns) +
-               std::min(static_cast<std::size_t>((turn < 0 ? turn + 1 : turn) * columns), static_cast<std::size_t>(columns - 1));
+               std::min(static_cast<std::size_t>((turn < 0 ? turn + 1 : turn) * columns),
+                        static_cast<std::size_t>(columns - 1));
     }
 };
 
@@ -47,9 +52,18 @@ struct LightCase {
     [[nodiscard]] bool reaches(const DVec3& wi) const {
         if (light().kind == LightKind::Sun) return light().discHolds(wi);
         const ShapeInstance& shape = scene->shapes[light().shape];
-        return std::visit([&](const auto& s) { return s.first(shape.localPoint(from), glm::normalize(shape.localVector(wi)), Start::Elsewhere).found(); }, shape.shape);
+        return std::visit(
+            [&](const auto& s) {
+                return s
+                    .first(shape.localPoint(from), glm::normalize(shape.localVector(wi)),
+                           Start::Elsewhere)
+                    .found();
+            },
+            shape.shape);
     }
-    [[nodiscard]] double pdf(const DVec3& wi) const { return reaches(wi) ? lightPdf(scene->lights, scene->shapes, 0, from, wi) : 0; }
+    [[nodiscard]] double pdf(const DVec3& wi) const {
+        return reaches(wi) ? lightPdf(scene->lights, scene->shapes, 0, from, wi) : 0;
+    }
     /// A little wider than the light, the whole sphere from within it.
     [[nodiscard]] Cells cells() const {
         Cells cells = fullCounts() ? Cells{{}, -1, 80, 160} : Cells{{}, -1, 12, 24};
@@ -81,7 +95,8 @@ std::vector<LightCase> lightCases() {
         const DVec3 center = scene->shapes[0].center;
         int view = 0;
         for (const DVec3& from : {DVec3(0.9, 2.3, 1.7), DVec3(-1.9, -0.6, 0.4), DVec3(20, 30, -25)})
-            cases.push_back({scene, center + from, std::string(name) + " from place " + std::to_string(++view)});
+            cases.push_back({scene, center + from,
+                             std::string(name) + " from place " + std::to_string(++view)});
     };
     add(Sphere{0.8}, "ball");
     add(Box{{1, 0.7, 1.2}}, "box");
@@ -119,11 +134,13 @@ class Uniforms {
 };
 
 /// By the light's own samples, their densities multiplied by `wrong`.
-Areas bySampling(const LightCase& c, const Cells& cells, int samples, double wrong, Uniforms& uniforms) {
+Areas bySampling(const LightCase& c, const Cells& cells, int samples, double wrong,
+                 Uniforms& uniforms) {
     Areas out(cells.count());
     for (int i = 0; i < samples; ++i) {
         const double x = uniforms.next(), y = uniforms.next();
-        const LightSample s = sampleLight(c.scene->lights, c.scene->shapes, 0, Ray{c.from, {0, 1, 0}}, {}, {x, y});
+        const LightSample s =
+            sampleLight(c.scene->lights, c.scene->shapes, 0, Ray{c.from, {0, 1, 0}}, {}, {x, y});
         if (!(s.pdf > 0) || !c.reaches(s.wi)) continue;
         const std::size_t cell = cells.cellOf(s.wi);
         EXPECT_LT(cell, cells.count()) << c.name;
@@ -132,17 +149,20 @@ Areas bySampling(const LightCase& c, const Cells& cells, int samples, double wro
     return out;
 }
 
-/// By an even grid of directions within each cell; of a cell that the light's outline cuts, it is off by some of the grid's meshes
-/// along the cut.
+/// By an even grid of directions within each cell; of a cell that the light's outline cuts, it is
+/// off by some of the grid's meshes along the cut.
 Areas byGrid(const LightCase& c, const Cells& cells) {
     const int sub = fullCounts() ? 24 : 60;
     Areas out(cells.count());
-    const double cell = 2 * kPi * (1 - cells.least) / static_cast<double>(cells.count()), mesh = cell / (sub * sub);
+    const double cell = 2 * kPi * (1 - cells.least) / static_cast<double>(cells.count()),
+                 mesh = cell / (sub * sub);
     for (int row = 0; row < cells.rows; ++row)
         for (int column = 0; column < cells.columns; ++column) {
             const auto at = static_cast<std::size_t>(row * cells.columns + column);
             for (int k = 0; k < sub * sub; ++k)
-                if (c.reaches(cells.direction(row + (k / sub + 0.5) / sub, column + (k % sub + 0.5) / sub))) out.add(at, mesh);
+                if (c.reaches(cells.direction(row + (k / sub + 0.5) / sub,
+                                              column + (k % sub + 0.5) / sub)))
+                    out.add(at, mesh);
             out.variance[at] = out.count[at] < sub * sub ? mesh * mesh * sub : 0;
         }
     return out;
@@ -169,7 +189,8 @@ double significance(const Areas& a, const Areas& b) {
         statistic += poolDifference * poolDifference / poolVariance;
         ++degrees;
     }
-    return 2 * std::min(chiSquareSurvival(statistic, degrees), normalTwoSided(difference / std::sqrt(variance)));
+    return 2 * std::min(chiSquareSurvival(statistic, degrees),
+                        normalTwoSided(difference / std::sqrt(variance)));
 }
 
 TEST(LightSampling, DirectionsMatchTheirDensities) {
@@ -180,8 +201,10 @@ TEST(LightSampling, DirectionsMatchTheirDensities) {
     for (const LightCase& c : cases) {
         const Cells cells = c.cells();
         const Areas expected = byGrid(c, cells);
-        EXPECT_GT(significance(bySampling(c, cells, samples, 1, uniforms), expected), level) << c.name;
-        EXPECT_LT(significance(bySampling(c, cells, samples, 1.02, uniforms), expected), level) << c.name << ": the wrong twin";
+        EXPECT_GT(significance(bySampling(c, cells, samples, 1, uniforms), expected), level)
+            << c.name;
+        EXPECT_LT(significance(bySampling(c, cells, samples, 1.02, uniforms), expected), level)
+            << c.name << ": the wrong twin";
     }
 }
 

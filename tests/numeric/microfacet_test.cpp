@@ -103,7 +103,8 @@ TEST(Microfacet, NarrowestLobesAgreeWithPolishedLeaves) {
         EXPECT_NEAR(seenThrough(MetalBsdf(color, kMinAlpha), wo, 1) / mirror, 1, 1e-3) << theta;
         for (const float eta : {1 / 1.5f, 1.5f}) {
             const double smooth = seenThroughDelta(GlassBsdf{}, wo, eta);
-            EXPECT_NEAR(seenThrough(RoughGlassBsdf(kMinAlpha, std::array{eta}), wo, eta) / smooth, 1, 1e-3)
+            EXPECT_NEAR(seenThrough(RoughGlassBsdf(kMinAlpha, std::array{eta}), wo, eta) / smooth,
+                        1, 1e-3)
                 << theta << " " << eta;
         }
     }
@@ -138,10 +139,13 @@ TEST(Glossy, CoatOfTheIndexAroundIsNotThere) {
 
 TEST(Mix, OfMixesIsTakenApartOnce) {
     Scene scene;
-    const MaterialId clay = scene.materials.add({"clay", Diffuse{}}), mirror = scene.materials.add({"mirror", Mirror{}});
+    const MaterialId clay = scene.materials.add({"clay", Diffuse{}}),
+                     mirror = scene.materials.add({"mirror", Mirror{}});
     MaterialId mix = scene.materials.add({"mix 0", Mix{{clay, false}, {mirror, false}, 0.25}});
     // Two to the power of 60 ways to the same two materials.
-    for (int i = 1; i <= 60; ++i) mix = scene.materials.add({"mix " + std::to_string(i), Mix{{mix, false}, {mix, false}, 0.5}});
+    for (int i = 1; i <= 60; ++i)
+        mix =
+            scene.materials.add({"mix " + std::to_string(i), Mix{{mix, false}, {mix, false}, 0.5}});
     mix = scene.materials.add({"veil", Mix{{mix, false}, {{}, true}, 0.2}});
     const MaterialLeaves leaves = BsdfBuilder(scene).build(mix);
     ASSERT_EQ(leaves.leaves.size(), 3u);

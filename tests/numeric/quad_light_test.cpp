@@ -21,13 +21,15 @@ ShapeInstance makeQuad(const DVec3& at, const DVec2& half, const DVec3& degrees)
     return out;
 }
 
-/// What a point's cosine-weighted view of the quad is, by sampling it and by a fine grid over its area.
+/// What a point's cosine-weighted view of the quad is, by sampling it and by a fine grid over its
+/// area.
 TEST(QuadLight, WeighsTheQuadAsAGridOverItDoes) {
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> u(0, 1);
     for (int round = 0; round < 60; ++round) {
         const DVec2 half(0.2 + u(random), 0.2 + 2 * u(random));
-        const ShapeInstance quad = makeQuad({0.3, round % 2 ? 1.2 : 6.0, -0.4}, half, {360 * u(random), 360 * u(random), 360 * u(random)});
+        const ShapeInstance quad = makeQuad({0.3, round % 2 ? 1.2 : 6.0, -0.4}, half,
+                                            {360 * u(random), 360 * u(random), 360 * u(random)});
         const DVec3 from(0.0);
         const QuadLight light(quad, from);
         double sampled = 0, grid = 0;
@@ -42,8 +44,10 @@ TEST(QuadLight, WeighsTheQuadAsAGridOverItDoes) {
             ASSERT_LE(std::max(std::abs(hit.x), std::abs(hit.z)), 1 + 1e-9);
             sampled += std::max(0.0, s.direction.y) / s.pdf / (kSide * kSide);
 
-            const DVec3 p = quad.center + quad.worldFromLocal * DVec3(2 * place.x - 1, 0, 2 * place.y - 1) - from;
-            const double r2 = glm::dot(p, p), facing = std::abs(glm::dot(p, glm::normalize(quad.worldFromLocal[1])));
+            const DVec3 p = quad.center +
+                            quad.worldFromLocal * DVec3(2 * place.x - 1, 0, 2 * place.y - 1) - from;
+            const double r2 = glm::dot(p, p),
+                         facing = std::abs(glm::dot(p, glm::normalize(quad.worldFromLocal[1])));
             grid += std::max(0.0, p.y) * facing / (r2 * r2) * 4 * half.x * half.y / (kSide * kSide);
         }
         EXPECT_NEAR(sampled, grid, 2e-3 * grid + 1e-6) << "round " << round;

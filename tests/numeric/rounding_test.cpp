@@ -1,4 +1,5 @@
-// T0: double -> float -> double keeps the rounding to float in every lane. g++ 12 drops it when the SLP vectoriser is on.
+// T0: double -> float -> double keeps the rounding to float in every lane. g++ 12 drops it when the
+// SLP vectoriser is on.
 #include <gtest/gtest.h>
 
 #include <glm/gtc/type_precision.hpp>
@@ -33,7 +34,8 @@ template <int N>
 void expectArrayRounds() {
     double out[N];
     roundArray<N>(kValues, out);
-    for (int i = 0; i < N; ++i) EXPECT_EQ(out[i], rounded(kValues[i])) << "lane " << i << " of " << N;
+    for (int i = 0; i < N; ++i)
+        EXPECT_EQ(out[i], rounded(kValues[i])) << "lane " << i << " of " << N;
 }
 template <class DVec, class FVec>
 void expectVectorRounds() {

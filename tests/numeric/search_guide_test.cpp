@@ -20,7 +20,9 @@ std::vector<double> startsOf(const std::vector<double>& lengths) {
 /// The last piece that starts at or before the target.
 int searched(const std::vector<double>& starts, double target) {
     int piece = 0;
-    while (piece + 2 < static_cast<int>(starts.size()) && starts[static_cast<std::size_t>(piece) + 1] <= target) ++piece;
+    while (piece + 2 < static_cast<int>(starts.size()) &&
+           starts[static_cast<std::size_t>(piece) + 1] <= target)
+        ++piece;
     return piece;
 }
 
@@ -32,14 +34,16 @@ void expectSamePieces(const std::vector<double>& lengths, std::mt19937_64& rando
     fillGuide(std::span<std::uint32_t>(guide), total, startOf);
     std::vector<double> shares{0, std::nextafter(1.0, 0.0)};
     for (const double start : starts)  // Where pieces meet, and the numbers beside.
-        for (const double share : {start / total, std::nextafter(start / total, 0.0), std::nextafter(start / total, 1.0)})
+        for (const double share : {start / total, std::nextafter(start / total, 0.0),
+                                   std::nextafter(start / total, 1.0)})
             if (share < 1) shares.push_back(share);
     std::uniform_real_distribution<double> anywhere(0, 1);
     for (int i = 0; i < 2000; ++i) shares.push_back(anywhere(random));
     for (const double u : shares) {
         const PieceRange range = guided(guide, u);
         ASSERT_LE(range.first, range.last);
-        ASSERT_EQ(lastFrom(range, u * total, startOf), searched(starts, u * total)) << u << " of " << lengths.size();
+        ASSERT_EQ(lastFrom(range, u * total, startOf), searched(starts, u * total))
+            << u << " of " << lengths.size();
     }
 }
 
@@ -50,7 +54,8 @@ TEST(SearchGuide, FindsThePieceThatASearchOfAllFinds) {
         std::vector<double> lengths(count);
         for (double& length : lengths) length = std::pow(10.0, exponent(random));
         expectSamePieces(lengths, random);
-        for (std::size_t i = 0; i < count; i += 3) lengths[i] = 0;  // Empty ones, also in a row and at both ends.
+        for (std::size_t i = 0; i < count; i += 3)
+            lengths[i] = 0;  // Empty ones, also in a row and at both ends.
         for (std::size_t i = count / 2; i < count; ++i) lengths[i] = 0;
         lengths[count / 2] = 1;
         expectSamePieces(lengths, random);
@@ -64,7 +69,8 @@ TEST(SearchGuide, LooksAtTwoPiecesInTheMean) {
     for (double& length : lengths) length = std::pow(10.0, exponent(random));
     const std::vector<double> starts = startsOf(lengths);
     std::vector<std::uint32_t> guide(lengths.size() + 1);
-    fillGuide(std::span<std::uint32_t>(guide), starts.back(), [&](int piece) { return starts[static_cast<std::size_t>(piece)]; });
+    fillGuide(std::span<std::uint32_t>(guide), starts.back(),
+              [&](int piece) { return starts[static_cast<std::size_t>(piece)]; });
     double looked = 0;
     for (std::size_t k = 0; k < lengths.size(); ++k) looked += guide[k + 1] - guide[k] + 1;
     EXPECT_LE(looked / static_cast<double>(lengths.size()), 2);

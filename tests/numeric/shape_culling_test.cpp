@@ -1,5 +1,5 @@
-// ShapeLists::cull: rays of a bundle meet among the few shapes what they meet among all, for cameras
-// and shapes of any size, and most shapes are left out.
+// ShapeLists::cull: rays of a bundle meet among the few shapes what they meet among all, for
+// cameras and shapes of any size, and most shapes are left out.
 #include <gtest/gtest.h>
 
 #include "tests/support/rays.h"
@@ -12,22 +12,23 @@ namespace {
 using test::Random;
 
 /// Shapes of all kinds about a cube of half the size `scale` around `at`.
-std::vector<ShapeInstance> makeField(std::size_t count, bool ballsOnly, double scale, const DVec3& at,
-                                     Random& random) {
-    const CanonicalShape kinds[] = {CanonicalSphere{},   CanonicalBox{},  CanonicalQuad{},
+std::vector<ShapeInstance> makeField(std::size_t count, bool ballsOnly, double scale,
+                                     const DVec3& at, Random& random) {
+    const CanonicalShape kinds[] = {CanonicalSphere{},   CanonicalBox{},      CanonicalQuad{},
                                     CanonicalDisk{},     CanonicalCylinder{}, CanonicalCone{},
                                     CanonicalTorus{0.3}, CanonicalSphere{}};
     std::vector<ShapeInstance> out;
     for (std::size_t i = 0; i < count; ++i) {
-        const double size = scale * random.uniform(0.1, 0.6) / std::cbrt(static_cast<double>(count));
+        const double size =
+            scale * random.uniform(0.1, 0.6) / std::cbrt(static_cast<double>(count));
         CanonicalShape shape;
         DMat3 linear(size);
         if (!ballsOnly && i % 8 != 0) {
             shape = kinds[i % 8];
             linear = rotationFromDegrees(random.inCube(180));
             for (int axis = 0; axis < 3; ++axis) linear[axis] *= size * random.uniform(0.1, 3);
-            linear = linear *
-                     DMat3(DVec3(1, 0, 0), DVec3(random.uniform(-1, 1), 1, 0), DVec3(0, 0, 1));
+            linear =
+                linear * DMat3(DVec3(1, 0, 0), DVec3(random.uniform(-1, 1), 1, 0), DVec3(0, 0, 1));
         }
         out.push_back(test::makeInstance(shape, linear, at + scale * random.inCube(1)));
     }

@@ -321,7 +321,8 @@ TEST(ShapeLists, BoxesDoNotGrowWhenAShapeMovesToAndFro) {
     aside[77].center.x += 0.5 * kKinds[0].leastSize;
     ShapeLists lists(shapes);
     for (int step = 0; step < 2000; ++step) {
-        std::optional<ShapeLists> moved = step % 2 == 0 ? lists.moved(shapes, aside) : lists.moved(aside, shapes);
+        std::optional<ShapeLists> moved =
+            step % 2 == 0 ? lists.moved(shapes, aside) : lists.moved(aside, shapes);
         ASSERT_TRUE(moved) << step;
         lists = std::move(*moved);
     }

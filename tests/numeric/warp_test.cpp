@@ -1,4 +1,5 @@
-// Maps from uniform numbers: accuracy of the trigonometry, filters against their windows, stratification of the sampler.
+// Maps from uniform numbers: accuracy of the trigonometry, filters against their windows,
+// stratification of the sampler.
 #include <gtest/gtest.h>
 
 #include "tracer/math/sobol.h"
@@ -13,7 +14,8 @@ TEST(CosSinTurn, IsWithinItsBound) {
     for (int i = -20000; i <= 20000; ++i) {
         const double u = i / 9999.7;
         const DVec2 found = cosSinTurn(u);
-        worst = std::max({worst, std::abs(found.x - std::cos(2 * kPi * u)), std::abs(found.y - std::sin(2 * kPi * u))});
+        worst = std::max({worst, std::abs(found.x - std::cos(2 * kPi * u)),
+                          std::abs(found.y - std::sin(2 * kPi * u))});
     }
     EXPECT_LE(worst, 1e-13);
 }
@@ -29,9 +31,12 @@ double secondMoment(Filter filter) {
 TEST(PixelFilter, DrawsFromItsWindow) {
     EXPECT_NEAR(secondMoment(Filter::Box), 1.0 / 3, 1e-6);
     EXPECT_NEAR(secondMoment(Filter::Tent), 1.0 / 6, 1e-6);
-    // Integral of x^2 (a0 + a1 cos(pi x) + a2 cos(2 pi x) + a3 cos(3 pi x)) over that of the window.
-    const double exact = 1.0 / 3 + (-2 * 0.48829 + 2 * 0.14128 / 4 - 2 * 0.01168 / 9) / (kPi * kPi * 0.35875);
-    EXPECT_NEAR(secondMoment(Filter::BlackmanHarris), exact, 1e-3 * exact);  // The outermost strips are wide.
+    // Integral of x^2 (a0 + a1 cos(pi x) + a2 cos(2 pi x) + a3 cos(3 pi x)) over that of the
+    // window.
+    const double exact =
+        1.0 / 3 + (-2 * 0.48829 + 2 * 0.14128 / 4 - 2 * 0.01168 / 9) / (kPi * kPi * 0.35875);
+    EXPECT_NEAR(secondMoment(Filter::BlackmanHarris), exact,
+                1e-3 * exact);  // The outermost strips are wide.
 }
 
 TEST(PixelFilter, StaysInItsRadiusAndIsSymmetric) {
@@ -47,8 +52,10 @@ bool isNet(std::uint32_t block, int i, int j, int a, int b) {
     const int columns = 1 << a, rows = 1 << b;
     std::vector<int> count(static_cast<std::size_t>(columns * rows));
     for (std::uint32_t n = 0; n < static_cast<std::uint32_t>(columns * rows); ++n) {
-        const SampleBlock p = Sampler(7, 1234, 2 * n).block(block);  // Even samples: one half of the film.
-        const int cell = static_cast<int>(p[i] * static_cast<float>(columns)) * rows + static_cast<int>(p[j] * static_cast<float>(rows));
+        const SampleBlock p =
+            Sampler(7, 1234, 2 * n).block(block);  // Even samples: one half of the film.
+        const int cell = static_cast<int>(p[i] * static_cast<float>(columns)) * rows +
+                         static_cast<int>(p[j] * static_cast<float>(rows));
         if (++count[static_cast<std::size_t>(cell)] > 1) return false;
     }
     return true;
@@ -56,12 +63,15 @@ bool isNet(std::uint32_t block, int i, int j, int a, int b) {
 
 TEST(Sampler, FirstTwoDimensionsOfEveryBlockAreANetInBaseTwo) {
     for (std::uint32_t block = 0; block < 20; ++block)
-        for (int a = 0; a <= 6; ++a) EXPECT_TRUE(isNet(block, 0, 1, a, 6 - a)) << "block " << block << ", " << a;
+        for (int a = 0; a <= 6; ++a)
+            EXPECT_TRUE(isNet(block, 0, 1, a, 6 - a)) << "block " << block << ", " << a;
 }
 
 TEST(Sampler, EveryDimensionIsStratified) {
     for (std::uint32_t block = 0; block < 20; ++block)
-        for (int d = 0; d < 4; ++d) EXPECT_TRUE(isNet(block, d, (d + 1) % 4, 8, 0)) << "block " << block << ", dimension " << d;
+        for (int d = 0; d < 4; ++d)
+            EXPECT_TRUE(isNet(block, d, (d + 1) % 4, 8, 0))
+                << "block " << block << ", dimension " << d;
 }
 
 TEST(Sampler, BlocksPixelsHalvesAndSeedsAreIndependent) {
@@ -73,10 +83,15 @@ TEST(Sampler, BlocksPixelsHalvesAndSeedsAreIndependent) {
     };
     const auto base = [](std::uint32_t n) { return Sampler(1, 50, 2 * n).block(3).x; };
     EXPECT_GT(correlation(base, base), 0.9);  // The measure can fail.
-    EXPECT_LT(correlation(base, [](std::uint32_t n) { return Sampler(1, 50, 2 * n).block(4).x; }), 5.0 / 64);
-    EXPECT_LT(correlation(base, [](std::uint32_t n) { return Sampler(1, 51, 2 * n).block(3).x; }), 5.0 / 64);
-    EXPECT_LT(correlation(base, [](std::uint32_t n) { return Sampler(1, 50, 2 * n + 1).block(3).x; }), 5.0 / 64);
-    EXPECT_LT(correlation(base, [](std::uint32_t n) { return Sampler(2, 50, 2 * n).block(3).x; }), 5.0 / 64);
+    EXPECT_LT(correlation(base, [](std::uint32_t n) { return Sampler(1, 50, 2 * n).block(4).x; }),
+              5.0 / 64);
+    EXPECT_LT(correlation(base, [](std::uint32_t n) { return Sampler(1, 51, 2 * n).block(3).x; }),
+              5.0 / 64);
+    EXPECT_LT(
+        correlation(base, [](std::uint32_t n) { return Sampler(1, 50, 2 * n + 1).block(3).x; }),
+        5.0 / 64);
+    EXPECT_LT(correlation(base, [](std::uint32_t n) { return Sampler(2, 50, 2 * n).block(3).x; }),
+              5.0 / 64);
 }
 
 }  // namespace

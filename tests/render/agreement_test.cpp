@@ -1,5 +1,5 @@
-// Different ways to the same picture agree: classic and path where their physics is the same, and light sampling, BSDF sampling
-// and every combination of them.
+// Different ways to the same picture agree: classic and path where their physics is the same, and
+// light sampling, BSDF sampling and every combination of them.
 #include <gtest/gtest.h>
 
 #include "tests/support/paths.h"
@@ -46,7 +46,8 @@ TEST(ClassicAndPath, AgreeOnMirrorsAndGlassOverEmittersAndEnvironment) {
 
 TEST(ClassicAndPath, AgreeOnDirectLightAtDepthOne) {
     SceneBuilder b;
-    // Not endless: of a lamp far away a BSDF sample sees so little that few of a pixel's samples, or none, tell of it.
+    // Not endless: of a lamp far away a BSDF sample sees so little that few of a pixel's samples,
+    // or none, tell of it.
     b.object(Box{{6, 1, 6}}, b.material(Diffuse{grey(0.6)}), {0, -0.5, 0});
     b.object(Sphere{1}, b.material(Phong{}), {-1.1, 1, 0});
     b.object(Box{{1, 1, 1}}, b.material(Translucent{}), {1.1, 0.5, 0});
@@ -64,8 +65,12 @@ using test::LightOnly;
 using test::pixelMeans;
 
 struct PowerHeuristic {
-    static double lightWeight(double light, double bsdf) { return light * light / (light * light + bsdf * bsdf); }
-    static double bsdfWeight(double bsdf, double light) { return bsdf * bsdf / (light * light + bsdf * bsdf); }
+    static double lightWeight(double light, double bsdf) {
+        return light * light / (light * light + bsdf * bsdf);
+    }
+    static double bsdfWeight(double bsdf, double light) {
+        return bsdf * bsdf / (light * light + bsdf * bsdf);
+    }
 };
 
 template <class Heuristic>
@@ -73,17 +78,21 @@ test::Estimate meanWith(const std::shared_ptr<const RenderScene>& scene) {
     return estimateOf(pixelMeans<Heuristic>(scene, test::fullRun() ? 1024 : 64));
 }
 
-/// All ways to share the work give one mean over pixels that show one point; counting light twice does not.
-void expectOneMean(const std::shared_ptr<const RenderScene>& scene, const test::Estimate& expected) {
+/// All ways to share the work give one mean over pixels that show one point; counting light twice
+/// does not.
+void expectOneMean(const std::shared_ptr<const RenderScene>& scene,
+                   const test::Estimate& expected) {
     const auto expectSame = [&](const test::Estimate& other, const char* name) {
-        EXPECT_LE(std::abs(other.mean - expected.mean), 4 * std::hypot(other.sigma, expected.sigma)) << name;
+        EXPECT_LE(std::abs(other.mean - expected.mean), 4 * std::hypot(other.sigma, expected.sigma))
+            << name;
         EXPECT_LE(std::abs(other.mean - expected.mean), 4e-3 * expected.mean) << name;
     };
     expectSame(meanWith<BalanceHeuristic>(scene), "balance heuristic");
     expectSame(meanWith<LightOnly>(scene), "light sampling alone");
     expectSame(meanWith<BsdfOnly>(scene), "BSDF sampling alone");
     expectSame(meanWith<PowerHeuristic>(scene), "power heuristic");
-    EXPECT_GT(meanWith<test::BothWhole>(scene).mean, 1.2 * expected.mean);  // A compensated table leaves the dim part to the BSDF.
+    EXPECT_GT(meanWith<test::BothWhole>(scene).mean,
+              1.2 * expected.mean);  // A compensated table leaves the dim part to the BSDF.
 }
 
 /// A floor, seen at one point.
@@ -95,12 +104,16 @@ SceneBuilder floorOf(const AllMaterials::Variant& material) {
     return b;
 }
 
-/// A sky three times as bright in one quarter as elsewhere, without any symmetry that could hide a turn.
+/// A sky three times as bright in one quarter as elsewhere, without any symmetry that could hide a
+/// turn.
 std::string unevenSky(const test::TempFolder& folder) {
     Image sky{64, 32, {}};
     for (int y = 0; y < sky.height; ++y)
         for (int x = 0; x < sky.width; ++x)
-            for (int c = 0; c < 3; ++c) sky.rgb.push_back(x > 10 && x < 30 && y > 3 && y < 14 ? 3.0f : 1.0f + 0.01f * static_cast<float>(y));
+            for (int c = 0; c < 3; ++c)
+                sky.rgb.push_back(x > 10 && x < 30 && y > 3 && y < 14
+                                      ? 3.0f
+                                      : 1.0f + 0.01f * static_cast<float>(y));
     const auto file = folder / "sky.exr";
     EXPECT_TRUE(saveLinear(file, sky, {}));
     return file.string();
@@ -123,7 +136,8 @@ TEST(Strategies, AllGiveTheSameMeanUnderAnEnvironmentMap) {  // A15
     const auto scene = b.compile();
     const test::Estimate balance = meanWith<BalanceHeuristic>(scene);
     expectOneMean(scene, balance);
-    RenderScene plain = *scene;  // Its table in proportion to the picture, not to what the BSDF leaves.
+    RenderScene plain =
+        *scene;  // Its table in proportion to the picture, not to what the BSDF leaves.
     auto& map = plain.lights.environment.map;
     map = std::make_shared<const EnvironmentMap>(map->image(), EnvironmentMap::Density::Plain);
     expectOneMean(std::make_shared<const RenderScene>(std::move(plain)), balance);
@@ -132,8 +146,10 @@ TEST(Strategies, AllGiveTheSameMeanUnderAnEnvironmentMap) {  // A15
 TEST(Strategies, AllGiveTheSameMeanForAMixtureUnderManyLights) {  // A15
     const test::TempFolder folder;
     SceneBuilder b = floorOf(Diffuse{});
-    const MaterialId clay = b.material(Diffuse{grey(0.6)}), metal = b.material(Metal{grey(0.9), 0.6});
-    b.scene().materials.set(b.scene().materials.ids().front(), {"Floor", Mix{{clay, false}, {metal, false}, 0.4}});
+    const MaterialId clay = b.material(Diffuse{grey(0.6)}),
+                     metal = b.material(Metal{grey(0.9), 0.6});
+    b.scene().materials.set(b.scene().materials.ids().front(),
+                            {"Floor", Mix{{clay, false}, {metal, false}, 0.4}});
     b.scene().environment.image = unevenSky(folder);
     b.object(Sphere{1.2}, {}, {0.5, 2.5, 0}, grey(6));
     const ObjectId id = b.object(Quad{{2, 2}}, {}, {-2, 2, 0}, grey(6));
@@ -147,13 +163,15 @@ TEST(Strategies, AllGiveTheSameMeanForAMixtureUnderManyLights) {  // A15
 TEST(Strategies, AllGiveTheSameMeanUnderALampThatIsPartlyClear) {  // A15
     SceneBuilder b = floorOf(Diffuse{grey(0.6)});
     const MaterialId clay = b.material(Diffuse{grey(0.3)});
-    const ObjectId id = b.object(Torus{1, 0.4}, b.material(Mix{{clay, false}, {{}, true}, 0.7}), {0.5, 2, 0}, grey(3));
+    const ObjectId id = b.object(Torus{1, 0.4}, b.material(Mix{{clay, false}, {{}, true}, 0.7}),
+                                 {0.5, 2, 0}, grey(3));
     Object lamp = b.scene().objects.at(id);
     lamp.transform.rotateDegrees = {70, 0, 20};
     lamp.twoSided = true;  // Up to four faces of it shine in one direction.
     b.scene().objects.set(id, lamp);
     const auto scene = b.compile();
-    const test::Estimate balance = meanWith<BalanceHeuristic>(scene), alone = meanWith<BsdfOnly>(scene);
+    const test::Estimate balance = meanWith<BalanceHeuristic>(scene),
+                         alone = meanWith<BsdfOnly>(scene);
     EXPECT_LE(std::abs(balance.mean - alone.mean), 4 * std::hypot(balance.sigma, alone.sigma));
     EXPECT_LE(std::abs(balance.mean - alone.mean), 1e-2 * alone.mean);
 }
@@ -172,7 +190,8 @@ struct EarlyRoulette : UsualEffort {
 /// A dim room with glass, a mirror and a lamp: paths are long, and split.
 SceneBuilder roomWithGlass() {
     SceneBuilder b;
-    const ObjectId id = b.object(Box{{6, 4, 6}}, b.material(Diffuse{grey(0.5)}), {0, 2, 0}, grey(0.2));
+    const ObjectId id =
+        b.object(Box{{6, 4, 6}}, b.material(Diffuse{grey(0.5)}), {0, 2, 0}, grey(0.2));
     Object room = b.scene().objects.at(id);
     room.twoSided = true;
     b.scene().objects.set(id, room);
@@ -210,7 +229,8 @@ double relativeSquaredError(const Image& image, const Image& reference) {
     const double mean = test::estimateMean(reference).mean;
     double sum = 0;
     for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-        const double r = static_cast<double>(reference.rgb[i]), d = static_cast<double>(image.rgb[i]) - r;
+        const double r = static_cast<double>(reference.rgb[i]),
+                     d = static_cast<double>(image.rgb[i]) - r;
         sum += d * d / (r * r + 1e-2 * mean * mean);
     }
     return sum / static_cast<double>(image.rgb.size());
@@ -220,7 +240,9 @@ TEST(NarrowestLobes, ShowThePictureOfThePolishedMaterial) {
     const test::TempFolder folder;
     Image sky{64, 32, {}};
     for (int i = 0; i < 64 * 32; ++i)
-        for (int c = 0; c < 3; ++c) sky.rgb.push_back(static_cast<float>(2 + 0.8 * std::sin(8 * kPi * (i % 64) / 64) * std::cos(4 * kPi * (i / 64) / 32)));
+        for (int c = 0; c < 3; ++c)
+            sky.rgb.push_back(static_cast<float>(2 + 0.8 * std::sin(8 * kPi * (i % 64) / 64) *
+                                                         std::cos(4 * kPi * (i / 64) / 32)));
     const auto file = folder / "sky.exr";
     ASSERT_TRUE(saveLinear(file, sky, {}));
     const auto picture = [&](const AllMaterials::Variant& material) {
@@ -234,9 +256,15 @@ TEST(NarrowestLobes, ShowThePictureOfThePolishedMaterial) {
     };
     constexpr double kThreshold = 0.01;  // its square is kMinAlpha
     const Color gold{0.9, 0.6, 0.2};
-    EXPECT_LE(relativeSquaredError(picture(Metal{gold, kThreshold * 1.001}), picture(Metal{gold, 0})), 1e-3);
-    EXPECT_LE(relativeSquaredError(picture(Glass{1.5, Color{}, kThreshold * 1.001}), picture(Glass{})), 1e-3);
-    EXPECT_GT(relativeSquaredError(picture(Glass{1.7, Color{}, kThreshold * 1.001}), picture(Glass{})), 1e-3);  // the wrong twin
+    EXPECT_LE(
+        relativeSquaredError(picture(Metal{gold, kThreshold * 1.001}), picture(Metal{gold, 0})),
+        1e-3);
+    EXPECT_LE(
+        relativeSquaredError(picture(Glass{1.5, Color{}, kThreshold * 1.001}), picture(Glass{})),
+        1e-3);
+    EXPECT_GT(
+        relativeSquaredError(picture(Glass{1.7, Color{}, kThreshold * 1.001}), picture(Glass{})),
+        1e-3);  // the wrong twin
 }
 
 }  // namespace

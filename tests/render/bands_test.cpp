@@ -1,4 +1,5 @@
-// Films that do not fit into memory: rendered in bands of rows, with the same bits, or refused with a remedy.
+// Films that do not fit into memory: rendered in bands of rows, with the same bits, or refused with
+// a remedy.
 #include <gtest/gtest.h>
 
 #include "tests/support/scenes.h"
@@ -27,7 +28,8 @@ double bytesForRows(const RenderScene& scene, int rows) {
 TEST(Bands, GiveTheBitsOfThePictureRenderedAtOnce) {
     const auto scene = litScene(50, 200).compile();
     const Rendering whole = render(scene, {.threads = 2});
-    for (const std::optional<PixelRect>& crop : {std::optional<PixelRect>(), std::optional(PixelRect{7, 20, 30, 150})}) {
+    for (const std::optional<PixelRect>& crop :
+         {std::optional<PixelRect>(), std::optional(PixelRect{7, 20, 30, 150})}) {
         double least = 0;
         int reports = 0, most = 0;
         RenderRequest request{.threads = 2, .crop = crop, .memory = bytesForRows(*scene, 64)};
@@ -37,7 +39,8 @@ TEST(Bands, GiveTheBitsOfThePictureRenderedAtOnce) {
             most = std::max(most, p.spp);
             ++reports;
         };
-        ASSERT_LT(rowsAtOnce(*scene, request, request.memory).value(), crop ? crop->height : 200) << "must be in bands";
+        ASSERT_LT(rowsAtOnce(*scene, request, request.memory).value(), crop ? crop->height : 200)
+            << "must be in bands";
         const Rendering bands = render(scene, request);
         const Rendering atOnce = render(scene, {.threads = 2, .crop = crop});
         EXPECT_EQ(bands.beauty.rgb, atOnce.beauty.rgb);
@@ -68,7 +71,10 @@ TEST(Bands, APictureThatCannotFitIsRefusedWithARemedy) {
     EXPECT_LT(rows.value(), 16384);
     const Result<int> tooSmall = rowsAtOnce(*huge, {}, 4e9);
     ASSERT_FALSE(tooSmall.ok());
-    EXPECT_NE(tooSmall.error().text().find("16384 x 16384 pixels needs 7 GB of memory; 4 GB are free"), std::string::npos) << tooSmall.error().text();
+    EXPECT_NE(
+        tooSmall.error().text().find("16384 x 16384 pixels needs 7 GB of memory; 4 GB are free"),
+        std::string::npos)
+        << tooSmall.error().text();
     EXPECT_NE(tooSmall.error().remedy.find("smaller"), std::string::npos);
     // A region of it takes the memory of the region's film alone.
     EXPECT_EQ(rowsAtOnce(*huge, {.crop = PixelRect{8000, 8000, 100, 100}}, 7e9).value(), 100);
@@ -77,13 +83,15 @@ TEST(Bands, APictureThatCannotFitIsRefusedWithARemedy) {
     byError.scene().render.errorPercent = 1;
     const Result<int> refused = rowsAtOnce(*byError.compile(), {}, 8e9);
     ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().remedy.find("by number of samples"), std::string::npos) << refused.error().text();
+    EXPECT_NE(refused.error().remedy.find("by number of samples"), std::string::npos)
+        << refused.error().text();
     const Result<int> layers = rowsAtOnce(*huge, {.layers = true}, 8e9);
     ASSERT_FALSE(layers.ok());
     EXPECT_NE(layers.error().remedy.find("without layers"), std::string::npos);
 }
 
-/// Stopped in the first band: the others are black and the picture says that not every pixel has a sample.
+/// Stopped in the first band: the others are black and the picture says that not every pixel has a
+/// sample.
 TEST(Bands, AStopLeavesTheOtherBandsBlack) {
     const auto scene = litScene(50, 200).compile();
     std::atomic<bool> stop{false};

@@ -1,4 +1,5 @@
-// The picture does not depend on the number of threads, on the kernel, or on being cut out of a larger one.
+// The picture does not depend on the number of threads, on the kernel, or on being cut out of a
+// larger one.
 #include <gtest/gtest.h>
 
 #include "tests/support/scenes.h"
@@ -32,7 +33,8 @@ class Determinism : public testing::TestWithParam<Integrator> {};
 TEST_P(Determinism, OneTwoThreeAndEightThreadsGiveTheSameBits) {
     const SceneBuilder b = stillLife(GetParam());
     const Image one = b.render(1).beauty;
-    for (const int threads : {2, 3, 8}) EXPECT_EQ(b.render(threads).beauty.rgb, one.rgb) << threads << " threads";
+    for (const int threads : {2, 3, 8})
+        EXPECT_EQ(b.render(threads).beauty.rgb, one.rgb) << threads << " threads";
 }
 
 TEST_P(Determinism, ACropHasTheBitsOfTheWhole) {
@@ -43,8 +45,10 @@ TEST_P(Determinism, ACropHasTheBitsOfTheWhole) {
     const Image crop = render(scene, {.threads = 2, .crop = rect}).beauty;
     for (int y = 0; y < crop.height; ++y)
         for (int x = 0; x < crop.width; ++x) {
-            const bool inside = x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
-            ASSERT_EQ(test::pixelAt(crop, x, y), inside ? test::pixelAt(whole, x, y) : Rgb(0.0f)) << x << ", " << y;
+            const bool inside =
+                x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
+            ASSERT_EQ(test::pixelAt(crop, x, y), inside ? test::pixelAt(whole, x, y) : Rgb(0.0f))
+                << x << ", " << y;
         }
 }
 
@@ -56,9 +60,10 @@ TEST_P(Determinism, OneSampleIsThatOfTheRender) {
     EXPECT_EQ(renderSample(*scene, {20, 20, 0}), test::pixelAt(image, 20, 20));
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, Determinism, testing::Values(Integrator::Path, Integrator::Classic), [](const auto& tested) {
-    return tested.param == Integrator::Path ? "Path" : "Classic";
-});
+INSTANTIATE_TEST_SUITE_P(Both, Determinism, testing::Values(Integrator::Path, Integrator::Classic),
+                         [](const auto& tested) {
+                             return tested.param == Integrator::Path ? "Path" : "Classic";
+                         });
 
 TEST(Kernels, EveryKernelThatCoversASceneGivesTheSameBits) {
     SceneBuilder b;
@@ -70,12 +75,14 @@ TEST(Kernels, EveryKernelThatCoversASceneGivesTheSameBits) {
     const auto scene = b.compile();
     int compared = 0;
     for (const Kernel& kernel : allKernels()) {
-        if (kernel.integrator != Integrator::Path || (scene->features & ~kernel.features) != 0) continue;
+        if (kernel.integrator != Integrator::Path || (scene->features & ~kernel.features) != 0)
+            continue;
         for (int i = 0; i < 400; ++i) {
             LayerSample layers;
             KernelState chosen{*scene, {}, {}, false}, other{*scene, {}, {}, false, &layers};
             const int x = i % 20 + 6, y = i / 20 + 6;
-            ASSERT_EQ(chooseKernel(*scene).run(chosen, x, y, 3), kernel.run(other, x, y, 3)) << kernel.name << " at " << x << ", " << y;
+            ASSERT_EQ(chooseKernel(*scene).run(chosen, x, y, 3), kernel.run(other, x, y, 3))
+                << kernel.name << " at " << x << ", " << y;
         }
         ++compared;
     }

@@ -1,4 +1,5 @@
-// Direct light against closed forms: a diffuse plane under a point light, a ball and a rectangle, in both integrators.
+// Direct light against closed forms: a diffuse plane under a point light, a ball and a rectangle,
+// in both integrators.
 #include <gtest/gtest.h>
 
 #include "tests/support/scenes.h"
@@ -38,11 +39,13 @@ TEST_P(DirectLight, OfABallIsTheSolidAngleFormula) {
         b.film(16, 16, 256);
         b.object(Sphere{radius}, {}, {1, 2, 0.5}, {5, 5, 5});
         const double d2 = 1 + 4 + 0.25, cosine = 2 / std::sqrt(d2);
-        test::expectMean(b.render().beauty, kAlbedo * 5 * radius * radius / d2 * cosine, "radius " + std::to_string(radius));
+        test::expectMean(b.render().beauty, kAlbedo * 5 * radius * radius / d2 * cosine,
+                         "radius " + std::to_string(radius));
     }
 }
 
-/// Irradiance from a rectangle parallel to the receiver, corner above it: the classical form factor of a corner.
+/// Irradiance from a rectangle parallel to the receiver, corner above it: the classical form factor
+/// of a corner.
 double cornerFormFactor(double a, double b, double h) {
     const double x = a / h, y = b / h, sx = std::sqrt(1 + x * x), sy = std::sqrt(1 + y * y);
     return (x / sx * std::atan(y / sx) + y / sy * std::atan(x / sy)) / (2 * kPi);
@@ -56,7 +59,8 @@ TEST_P(DirectLight, OfARectangleIsLambertsFormula) {
     lamp.transform.rotateDegrees = {180, 0, 0};  // Facing down.
     b.scene().objects.set(id, lamp);
     b.camera({0, 0.1, 0}, {0, 0, 0}, 0.01);
-    test::expectMean(b.render().beauty, kAlbedo * 4 * 4 * cornerFormFactor(1, 1.5, 1.5), "rectangle");
+    test::expectMean(b.render().beauty, kAlbedo * 4 * 4 * cornerFormFactor(1, 1.5, 1.5),
+                     "rectangle");
 }
 
 TEST_P(DirectLight, FromTheBackOfARectangleIsNone) {
@@ -74,15 +78,19 @@ TEST_P(DirectLight, HalfBehindAnEdgeIsHalf) {
     test::expectMean(b.render().beauty, 0.5 * kAlbedo * 5 * 0.25 / 9, "half shadow");
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, DirectLight, testing::Values(Integrator::Path, Integrator::Classic), [](const auto& tested) {
-    return tested.param == Integrator::Path ? "Path" : "Classic";
-});
+INSTANTIATE_TEST_SUITE_P(Both, DirectLight, testing::Values(Integrator::Path, Integrator::Classic),
+                         [](const auto& tested) {
+                             return tested.param == Integrator::Path ? "Path" : "Classic";
+                         });
 
-/// More lights than are all sampled at a first surface: one is chosen, whatever its kind, and the picture is the sum of them all.
+/// More lights than are all sampled at a first surface: one is chosen, whatever its kind, and the
+/// picture is the sum of them all.
 TEST(OneOfManyLights, IsChosenSoThatTheyAddUp) {
     SceneBuilder b = floorSeenAtOnePoint(Integrator::Path);
     b.film(32, 32, 2048);
-    const auto pointLight = [](double intensity, const DVec3& at) { return kAlbedo / kPi * intensity * at.y / std::pow(glm::length(at), 3); };
+    const auto pointLight = [](double intensity, const DVec3& at) {
+        return kAlbedo / kPi * intensity * at.y / std::pow(glm::length(at), 3);
+    };
     double exact = 0;
     for (const DVec3& at : {DVec3(1, 2, 0), DVec3(-1, 1.5, 1)}) {
         b.pointLight(at, {3, 3, 3});
@@ -91,7 +99,8 @@ TEST(OneOfManyLights, IsChosenSoThatTheyAddUp) {
     // A spot that the point lies in, one that it does not.
     b.scene().lights.add({"In", SpotLight{{0.5, 3, -1}, {0.2, 0, 0}, {8, 8, 8}, 30, 0}, true, ""});
     exact += pointLight(8, {0.5, 3, -1});
-    b.scene().lights.add({"Beside", SpotLight{{0.5, 3, -1}, {4, 0, 0}, {50, 50, 50}, 30, 0.15}, true, ""});
+    b.scene().lights.add(
+        {"Beside", SpotLight{{0.5, 3, -1}, {4, 0, 0}, {50, 50, 50}, 30, 0.15}, true, ""});
     b.object(Sphere{0.5}, {}, {-2, 2, -2}, {5, 5, 5});
     exact += kAlbedo * 5 * 0.25 / 12 * 2 / std::sqrt(12);
     // A rectangle that faces the floor, one that does not.

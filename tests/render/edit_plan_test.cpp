@@ -13,8 +13,10 @@ using Kind = EditPlan::Kind;
 
 struct Stage {
     SceneBuilder b;
-    MaterialId floor = b.material(Diffuse{}), glass = b.material(Glass{}), clay = b.material(Diffuse{}), blend = b.material(Mix{});
-    ObjectId plane = b.object(Plane{}, floor), ball = b.object(Sphere{1}, glass, {-1, 1, 0}), lamp = b.object(Sphere{0.5}, {}, {0, 4, 1}, {9, 8, 7});
+    MaterialId floor = b.material(Diffuse{}), glass = b.material(Glass{}),
+               clay = b.material(Diffuse{}), blend = b.material(Mix{});
+    ObjectId plane = b.object(Plane{}, floor), ball = b.object(Sphere{1}, glass, {-1, 1, 0}),
+             lamp = b.object(Sphere{0.5}, {}, {0, 4, 1}, {9, 8, 7});
 
     Stage() {
         b.pointLight({2, 3, 2}, {10, 9, 8});
@@ -43,7 +45,9 @@ struct Stage {
 
 TEST(EditPlan, WhatDoesNotShowKeepsAllSamples) {
     const Stage stage;
-    const auto keeps = [](const EditPlan& plan) { return plan.kind == Kind::Keep && plan.mix.isUnit(); };
+    const auto keeps = [](const EditPlan& plan) {
+        return plan.kind == Kind::Keep && plan.mix.isUnit();
+    };
     EXPECT_TRUE(keeps(stage.plan([](Scene&) {})));
     EXPECT_TRUE(keeps(stage.objectPlan(stage.ball, [](Object& o) { o.name = "Other"; })));
     EXPECT_TRUE(keeps(stage.objectPlan(stage.ball, [](Object& o) { o.locked = true; })));
@@ -59,28 +63,46 @@ TEST(EditPlan, WhatDoesNotShowKeepsAllSamples) {
         s.objects.set(stage.ball, grouped);
     })));
     EXPECT_TRUE(keeps(stage.plan([](Scene& s) { s.camera.name = "Eye"; })));
-    EXPECT_TRUE(keeps(stage.plan([](Scene& s) { s.render.spp = 7, s.render.timeSeconds = 1, s.render.errorPercent = 1; })));
-    EXPECT_TRUE(keeps(stage.plan([](Scene& s) { s.objects.add({.name = "Hidden", .shape = Sphere{}, .visible = false}); })));
+    EXPECT_TRUE(keeps(stage.plan(
+        [](Scene& s) { s.render.spp = 7, s.render.timeSeconds = 1, s.render.errorPercent = 1; })));
+    EXPECT_TRUE(keeps(stage.plan(
+        [](Scene& s) { s.objects.add({.name = "Hidden", .shape = Sphere{}, .visible = false}); })));
 }
 
 TEST(EditPlan, WhatShowsRestarts) {
     const Stage stage;
-    EXPECT_EQ(stage.objectPlan(stage.ball, [](Object& o) { o.transform.translate.x = 1; }).kind, Kind::Restart);
-    EXPECT_EQ(stage.plan([&](Scene& s) {
-        Object grouped = s.objects.at(stage.ball);
-        grouped.parent = s.groups.add({.name = "Aside", .transform = {.translate = {1, 0, 0}}});
-        s.objects.set(stage.ball, grouped);
-    }).kind, Kind::Restart);
+    EXPECT_EQ(stage.objectPlan(stage.ball, [](Object& o) { o.transform.translate.x = 1; }).kind,
+              Kind::Restart);
+    EXPECT_EQ(stage
+                  .plan([&](Scene& s) {
+                      Object grouped = s.objects.at(stage.ball);
+                      grouped.parent =
+                          s.groups.add({.name = "Aside", .transform = {.translate = {1, 0, 0}}});
+                      s.objects.set(stage.ball, grouped);
+                  })
+                  .kind,
+              Kind::Restart);
     EXPECT_EQ(stage.objectPlan(stage.ball, [](Object& o) { o.shape = Box{}; }).kind, Kind::Restart);
-    EXPECT_EQ(stage.objectPlan(stage.ball, [](Object& o) { o.visible = false; }).kind, Kind::Restart);
-    EXPECT_EQ(stage.objectPlan(stage.ball, [](Object& o) { o.emission = {1, 1, 1}; }).kind, Kind::Restart);
+    EXPECT_EQ(stage.objectPlan(stage.ball, [](Object& o) { o.visible = false; }).kind,
+              Kind::Restart);
+    EXPECT_EQ(stage.objectPlan(stage.ball,
+                               [](Object& o) {
+                                   o.emission = {1, 1, 1};
+                               })
+                  .kind,
+              Kind::Restart);
     EXPECT_EQ(stage.plan([](Scene& s) { s.camera.position.x += 1; }).kind, Kind::Restart);
     EXPECT_EQ(stage.plan([](Scene& s) { s.render.maxDepth = 3; }).kind, Kind::Restart);
     EXPECT_EQ(stage.plan([](Scene& s) { s.render.seed = 3; }).kind, Kind::Restart);
     EXPECT_EQ(stage.plan([](Scene& s) { s.film.filterRadius = 2; }).kind, Kind::Restart);
     EXPECT_EQ(stage.plan([](Scene& s) { s.environment.rotationDegrees = 2; }).kind, Kind::Restart);
-    EXPECT_EQ(stage.plan([](Scene& s) { s.lights.add({"New", PointLight{}, true, ""}); }).kind, Kind::Restart);
-    EXPECT_EQ(stage.plan([](Scene& s) { s.objects.add({.name = "New", .shape = Sphere{}}); }).kind, Kind::Restart);
+    EXPECT_EQ(stage.plan([](Scene& s) {
+                       s.lights.add({"New", PointLight{}, true, ""});
+                   })
+                  .kind,
+              Kind::Restart);
+    EXPECT_EQ(stage.plan([](Scene& s) { s.objects.add({.name = "New", .shape = Sphere{}}); }).kind,
+              Kind::Restart);
 }
 
 TEST(EditPlan, LightsAreMixedUnlessSamplesAreClamped) {
@@ -105,8 +127,10 @@ TEST(EditPlan, MaterialsNameWhatRestsOnThem) {
     };
     EXPECT_EQ(recolored(stage.floor).kind, Kind::Retrace);
     EXPECT_EQ(recolored(stage.floor).materials, materialBit(stage.floor));
-    EXPECT_EQ(recolored(stage.clay).materials, materialBit(stage.clay) | materialBit(stage.blend)) << "a mix rests on its parts";
-    const EditPlan given = stage.objectPlan(stage.ball, [&](Object& o) { o.material = stage.clay; });
+    EXPECT_EQ(recolored(stage.clay).materials, materialBit(stage.clay) | materialBit(stage.blend))
+        << "a mix rests on its parts";
+    const EditPlan given =
+        stage.objectPlan(stage.ball, [&](Object& o) { o.material = stage.clay; });
     EXPECT_EQ(given.kind, Kind::Retrace);
     EXPECT_EQ(given.materials, materialBit(stage.glass)) << "samples recorded what it was made of";
     const EditPlan renamed = stage.plan([&](Scene& s) {
@@ -127,7 +151,8 @@ TEST(EditPlan, GlassForClayIsANewStructure) {
     EXPECT_FALSE(sameStructure(*before, *stage.b.compile()));
 }
 
-/// Whatever field of a document changes, a plan other than Restart is one of what the field is known for.
+/// Whatever field of a document changes, a plan other than Restart is one of what the field is
+/// known for.
 TEST(EditPlan, RandomDocumentsKeepOnlyThemselves) {
     for (std::uint64_t seed = 1; seed < 300; ++seed) {
         const Scene a = test::randomScene(seed), b = test::randomScene(seed + 1);

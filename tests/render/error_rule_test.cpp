@@ -10,7 +10,8 @@ namespace {
 
 using test::SceneBuilder;
 
-/// One point in the half shadow of a ball lamp: every pixel has the same true value, which half the samples miss.
+/// One point in the half shadow of a ball lamp: every pixel has the same true value, which half the
+/// samples miss.
 SceneBuilder halfShadow() {
     SceneBuilder b;
     b.object(Plane{}, b.material(Diffuse{Color{0.5, 0.5, 0.5}}));
@@ -36,7 +37,9 @@ TEST(ErrorRule, StopsWhereTheErrorIsWhatItSays) {
 TEST(ErrorRule, NeedsEnoughSamplesToBeBelieved) {
     RenderSettings rules;
     rules.errorPercent = 1;
-    const auto stops = [&](int samples, double error) { return isDone(rules, {1, static_cast<double>(samples), samples, error}); };
+    const auto stops = [&](int samples, double error) {
+        return isDone(rules, {1, static_cast<double>(samples), samples, error});
+    };
     EXPECT_FALSE(stops(15, 0));
     EXPECT_TRUE(stops(16, 0));
     EXPECT_FALSE(stops(100, 0.011));
@@ -47,7 +50,8 @@ TEST(ErrorRule, NeedsEnoughSamplesToBeBelieved) {
     EXPECT_FALSE(stops(100, 0)) << "no rule was set";
 }
 
-/// Without noise all error is at edges, and so are the samples: the same error for a fraction of them.
+/// Without noise all error is at edges, and so are the samples: the same error for a fraction of
+/// them.
 TEST(ErrorRule, ClassicSamplesItsEdges) {
     SceneBuilder b;
     b.object(Plane{}, b.material(Diffuse{Color{0.6, 0.6, 0.6}}));
@@ -60,7 +64,9 @@ TEST(ErrorRule, ClassicSamplesItsEdges) {
     const Image exact = b.render().beauty;
     const auto errorOf = [&](const Image& image) {
         double squares = 0;
-        for (std::size_t i = 0; i < image.rgb.size(); ++i) squares += std::pow(static_cast<double>(image.rgb[i]) - static_cast<double>(exact.rgb[i]), 2);
+        for (std::size_t i = 0; i < image.rgb.size(); ++i)
+            squares +=
+                std::pow(static_cast<double>(image.rgb[i]) - static_cast<double>(exact.rgb[i]), 2);
         return squares;
     };
     b.scene().render.seed = 2;
@@ -70,7 +76,8 @@ TEST(ErrorRule, ClassicSamplesItsEdges) {
     b.scene().render.errorPercent = 100 * even.error;
     const Rendering edges = b.render();
     EXPECT_LE(edges.error, even.error);
-    EXPECT_LT(static_cast<double>(edges.rays.primary), 0.4 * static_cast<double>(even.rays.primary));
+    EXPECT_LT(static_cast<double>(edges.rays.primary),
+              0.4 * static_cast<double>(even.rays.primary));
     EXPECT_LT(errorOf(edges.beauty), 1.5 * errorOf(even.beauty));
 }
 

@@ -1,4 +1,5 @@
-// What camera rays hit is kept where an edit cannot change it, and nowhere else: every picture has the bits of a render from nothing.
+// What camera rays hit is kept where an edit cannot change it, and nowhere else: every picture has
+// the bits of a render from nothing.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -17,10 +18,12 @@ using test::renderedFromNothing;
 using test::SceneBuilder;
 using test::wishFor;
 
-/// A clay ball, a lamp, and glass: a ball, and two blocks with one face in common whose priorities decide what is seen of them.
+/// A clay ball, a lamp, and glass: a ball, and two blocks with one face in common whose priorities
+/// decide what is seen of them.
 Scene stage(Integrator integrator = Integrator::Path) {
     SceneBuilder b;
-    const MaterialId clay = b.material(Diffuse{}), clear = b.material(Glass{}), tinted = b.material(Glass{.ior = {1.3}, .priority = 1});
+    const MaterialId clay = b.material(Diffuse{}), clear = b.material(Glass{}),
+                     tinted = b.material(Glass{.ior = {1.3}, .priority = 1});
     b.object(Plane{}, clay);
     b.object(Sphere{0.6}, b.material(Diffuse{}), {1, 0.6, 0});
     b.object(Sphere{1}, clear, {-1, 1, 0});
@@ -36,7 +39,8 @@ Scene stage(Integrator integrator = Integrator::Path) {
     return b.scene();
 }
 
-/// A picture, and beside it one that spares no work: that one traces camera rays again though their hits are known, and counts them.
+/// A picture, and beside it one that spares no work: that one traces camera rays again though their
+/// hits are known, and counts them.
 struct Both {
     WorkerPool pool{2};
     LivingPicture sparing{pool}, tracing{pool, static_cast<Features>(Feature::NoSkips)};
@@ -48,14 +52,18 @@ struct Both {
         }
     }
     void expectExact(const Scene& scene, const std::string& what) {
-        EXPECT_FALSE(firstDifference(sparing.picture().film, renderedFromNothing(scene, pool))) << what;
+        EXPECT_FALSE(firstDifference(sparing.picture().film, renderedFromNothing(scene, pool)))
+            << what;
         EXPECT_EQ(sparing.picture().counts.work[Work::KnownHits], 0u) << what;
     }
-    [[nodiscard]] std::uint64_t knownHits() const { return tracing.picture().counts.work[Work::KnownHits]; }
+    [[nodiscard]] std::uint64_t knownHits() const {
+        return tracing.picture().counts.work[Work::KnownHits];
+    }
 };
 
 /// How many hits a picture of `before` knows of when the edit is traced.
-std::uint64_t hitsKept(const Scene& before, const std::function<void(Scene&)>& edit, const std::string& what) {
+std::uint64_t hitsKept(const Scene& before, const std::function<void(Scene&)>& edit,
+                       const std::string& what) {
     Both pictures;
     pictures.show(wishFor(before));
     EXPECT_EQ(pictures.knownHits(), 0u) << what;
@@ -94,28 +102,68 @@ struct Case {
 // None is a new mix of the same light alone, which would keep the samples.
 const Case kKeeping[] = {
     {"a lamp moves", moveLamp},
-    {"a lamp comes", [](Scene& s) { s.lights.add({"Second", PointLight{{-2, 3, 2}, {3, 3, 3}}, true, ""}); }},
-    {"an object shines", [](Scene& s) { editObject(s, 1, [](Object& o) { o.emission = {1, 2, 3}; }); moveLamp(s); }},
-    {"a lamp of some size goes out", [](Scene& s) { editObject(s, 5, [](Object& o) { o.emission = {}; }); moveLamp(s); }},
+    {"a lamp comes",
+     [](Scene& s) {
+         s.lights.add({"Second", PointLight{{-2, 3, 2}, {3, 3, 3}}, true, ""});
+     }},
+    {"an object shines",
+     [](Scene& s) {
+         editObject(s, 1, [](Object& o) { o.emission = {1, 2, 3}; });
+         moveLamp(s);
+     }},
+    {"a lamp of some size goes out",
+     [](Scene& s) {
+         editObject(s, 5, [](Object& o) { o.emission = {}; });
+         moveLamp(s);
+     }},
     {"the sky is hidden", [](Scene& s) { s.environment.visibleToCamera = false; }},
-    {"clay becomes a mirror", [](Scene& s) { editMaterial(s, 0, Mirror{}); editMaterial(s, 3, Mirror{}); }},
-    {"an object turns black", [](Scene& s) { editObject(s, 0, [](Object& o) { o.material = {}; }); moveLamp(s); }},
+    {"clay becomes a mirror",
+     [](Scene& s) {
+         editMaterial(s, 0, Mirror{});
+         editMaterial(s, 3, Mirror{});
+     }},
+    {"an object turns black",
+     [](Scene& s) {
+         editObject(s, 0, [](Object& o) { o.material = {}; });
+         moveLamp(s);
+     }},
     {"another depth", [](Scene& s) { s.render.maxDepth = 3; }},
     {"the other integrator",
-     [](Scene& s) { s.render.integrator = s.render.integrator == Integrator::Path ? Integrator::Classic : Integrator::Path; }},
-    {"another medium fills where two overlap", [](Scene& s) { editMaterial(s, 1, Glass{.priority = 2}); moveLamp(s); }},
-    {"no boundary bends light", [](Scene& s) { editMaterial(s, 1, Glass{.ior = {1.0}}); moveLamp(s); }},
-    {"glass gets colour", [](Scene& s) { editMaterial(s, 1, Glass{.absorption = {Color{1, 2, 3}}}); moveLamp(s); }},
+     [](Scene& s) {
+         s.render.integrator =
+             s.render.integrator == Integrator::Path ? Integrator::Classic : Integrator::Path;
+     }},
+    {"another medium fills where two overlap",
+     [](Scene& s) {
+         editMaterial(s, 1, Glass{.priority = 2});
+         moveLamp(s);
+     }},
+    {"no boundary bends light",
+     [](Scene& s) {
+         editMaterial(s, 1, Glass{.ior = {1.0}});
+         moveLamp(s);
+     }},
+    {"glass gets colour",
+     [](Scene& s) {
+         editMaterial(s, 1, Glass{.absorption = {Color{1, 2, 3}}});
+         moveLamp(s);
+     }},
 };
 const Case kLosing[] = {
     {"clay becomes glass", [](Scene& s) { editMaterial(s, 3, Glass{}); }},
     {"glass becomes a mirror", [](Scene& s) { editMaterial(s, 1, Mirror{}); }},
     {"glass becomes thin", [](Scene& s) { editMaterial(s, 1, Glass{.thin = true}); }},
-    {"an object moves", [](Scene& s) { editObject(s, 1, [](Object& o) { o.transform.translate.x += 0.1; }); }},
-    {"an object is hidden", [](Scene& s) { editObject(s, 1, [](Object& o) { o.visible = false; }); }},
-    {"an object shrinks to nothing", [](Scene& s) { editObject(s, 1, [](Object& o) { o.transform.scale = DVec3(0.0); }); }},
+    {"an object moves",
+     [](Scene& s) { editObject(s, 1, [](Object& o) { o.transform.translate.x += 0.1; }); }},
+    {"an object is hidden",
+     [](Scene& s) { editObject(s, 1, [](Object& o) { o.visible = false; }); }},
+    {"an object shrinks to nothing",
+     [](Scene& s) { editObject(s, 1, [](Object& o) { o.transform.scale = DVec3(0.0); }); }},
     {"the camera moves", [](Scene& s) { s.camera.position.x += 0.1; }},
-    {"the camera goes into the glass", [](Scene& s) { s.camera.position = {-1, 1, 0.2}; }},
+    {"the camera goes into the glass",
+     [](Scene& s) {
+         s.camera.position = {-1, 1, 0.2};
+     }},
     {"a lens", [](Scene& s) { s.camera.apertureRadius = 0.1; }},
     {"a picture of another size", [](Scene& s) { s.film.width = 30; }},
     {"a wider filter", [](Scene& s) { s.film.filterRadius = 1; }},
@@ -132,7 +180,8 @@ void expectKept(const Scene& scene) {
 }
 
 TEST(FirstHits, AreKeptWhereNeitherCameraNorShapesChange) {
-    for (const Integrator integrator : {Integrator::Path, Integrator::Classic}) expectKept(stage(integrator));
+    for (const Integrator integrator : {Integrator::Path, Integrator::Classic})
+        expectKept(stage(integrator));
 }
 TEST(FirstHits, AreKeptBehindALens) {
     Scene scene = stage();
@@ -143,10 +192,12 @@ TEST(FirstHits, AreKeptInsideOfMedia) {
     Scene scene = stage();
     scene.camera.position = {-1, 1, 0.5};
     expectKept(scene);
-    scene.camera.projection = Projection::Orthographic;  // Some rays start in the glass, some outside.
+    scene.camera.projection =
+        Projection::Orthographic;  // Some rays start in the glass, some outside.
     expectKept(scene);
 }
-/// The camera is in both blocks, and one of the boundaries in front of it is hidden: the path goes on without an interaction.
+/// The camera is in both blocks, and one of the boundaries in front of it is hidden: the path goes
+/// on without an interaction.
 TEST(FirstHits, AreTheCamerasAloneBehindHiddenBoundaries) {
     Scene scene = stage();
     scene.camera.position = {0.4, 0.5, 1.75};
@@ -161,7 +212,8 @@ TEST(FirstHits, AreLostWithCameraOrShapes) {
 
 TEST(FirstHits, EveryPixelIsSparedAfterALightHasMoved) {
     const Scene scene = stage();
-    EXPECT_EQ(hitsKept(scene, moveLamp, "a lamp moves"), static_cast<std::uint64_t>(scene.film.width * scene.film.height));
+    EXPECT_EQ(hitsKept(scene, moveLamp, "a lamp moves"),
+              static_cast<std::uint64_t>(scene.film.width * scene.film.height));
 }
 
 TEST(FirstHits, NoShapeIsAskedForThem) {
@@ -241,16 +293,20 @@ TEST(FirstHits, RandomEditsCutShortAreBitEqualToAFullRender) {
         WorkerPool pool(3);
         LivingPicture picture(pool);
         for (int i = 0; i < 150; ++i) {
-            if (random() % 5 == 0) scene = past[random() % past.size()];
-            else if (random() % 4 == 0) kLosing[random() % std::size(kLosing)].edit(scene);
-            else kKeeping[random() % (std::size(kKeeping) - 1)].edit(scene);
+            if (random() % 5 == 0)
+                scene = past[random() % past.size()];
+            else if (random() % 4 == 0)
+                kLosing[random() % std::size(kLosing)].edit(scene);
+            else
+                kKeeping[random() % (std::size(kKeeping) - 1)].edit(scene);
             if (scene.lights.size() > 3) scene = past.front();
             past.push_back(scene);
             picture.takeUp(wishFor(scene));
             renderAWhile(picture, random);
             if (random() % 3 == 0) continue;
             finish(picture);
-            ASSERT_FALSE(firstDifference(picture.picture().film, renderedFromNothing(scene, pool))) << "edit " << i;
+            ASSERT_FALSE(firstDifference(picture.picture().film, renderedFromNothing(scene, pool)))
+                << "edit " << i;
         }
     }
 }

@@ -1,4 +1,5 @@
-// Scenes whose light is known everywhere in closed form: furnaces, closed rooms, concentric balls, mirrors in series.
+// Scenes whose light is known everywhere in closed form: furnaces, closed rooms, concentric balls,
+// mirrors in series.
 #include <gtest/gtest.h>
 
 #include "tests/support/scenes.h"
@@ -10,9 +11,11 @@ using test::grey;
 using test::SceneBuilder;
 
 /// A camera within a closed emissive shape, looking at its wall.
-SceneBuilder insideOf(const Shape& shape, double albedo, double emission, const DVec3& from, const DVec3& to) {
+SceneBuilder insideOf(const Shape& shape, double albedo, double emission, const DVec3& from,
+                      const DVec3& to) {
     SceneBuilder b;
-    const ObjectId id = b.object(shape, b.material(Diffuse{grey(albedo)}), DVec3(0.0), grey(emission));
+    const ObjectId id =
+        b.object(shape, b.material(Diffuse{grey(albedo)}), DVec3(0.0), grey(emission));
     Object wall = b.scene().objects.at(id);
     wall.twoSided = true;
     b.scene().objects.set(id, wall);
@@ -32,21 +35,24 @@ class ClosedFurnace : public testing::TestWithParam<ClosedShape> {};
 
 TEST_P(ClosedFurnace, GlowsAsEmissionOverOneMinusAlbedo) {  // A1
     const ClosedShape& c = GetParam();
-    test::expectMean(insideOf(c.shape, 0.5, 0.8, c.from, c.to).render().beauty, 0.8 / (1 - 0.5), c.name);
+    test::expectMean(insideOf(c.shape, 0.5, 0.8, c.from, c.to).render().beauty, 0.8 / (1 - 0.5),
+                     c.name);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, ClosedFurnace,
-                         testing::Values(ClosedShape{"Sphere", Sphere{2}, {0.3, 0.2, 0.1}, {1, 0.5, -1}},
-                                         ClosedShape{"Box", Box{{2, 3, 4}}, {0.3, 0.2, 0.1}, {1, 0.5, -1}},
-                                         ClosedShape{"Cylinder", Cylinder{1, 2}, {0.3, 0.2, 0.1}, {1, 0.5, -1}},
-                                         ClosedShape{"Cone", Cone{1, 2}, {0.1, -0.5, 0.1}, {1, 0.5, -1}},
-                                         ClosedShape{"Torus", Torus{1, 0.4}, {1, 0.1, 0}, {0.2, 0, 1}}),
-                         [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, ClosedFurnace,
+    testing::Values(ClosedShape{"Sphere", Sphere{2}, {0.3, 0.2, 0.1}, {1, 0.5, -1}},
+                    ClosedShape{"Box", Box{{2, 3, 4}}, {0.3, 0.2, 0.1}, {1, 0.5, -1}},
+                    ClosedShape{"Cylinder", Cylinder{1, 2}, {0.3, 0.2, 0.1}, {1, 0.5, -1}},
+                    ClosedShape{"Cone", Cone{1, 2}, {0.1, -0.5, 0.1}, {1, 0.5, -1}},
+                    ClosedShape{"Torus", Torus{1, 0.4}, {1, 0.1, 0}, {0.2, 0, 1}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(ClosedRoom, OfSixQuadsIsAFurnace) {  // A1
     SceneBuilder b;
     const MaterialId white = b.material(Diffuse{grey(0.5)});
-    const DVec3 turns[6] = {{0, 0, 0}, {180, 0, 0}, {90, 0, 0}, {-90, 0, 0}, {0, 0, 90}, {0, 0, -90}};
+    const DVec3 turns[6] = {{0, 0, 0},   {180, 0, 0}, {90, 0, 0},
+                            {-90, 0, 0}, {0, 0, 90},  {0, 0, -90}};
     const DVec3 places[6] = {{0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {-1, 0, 0}};
     for (int i = 0; i < 6; ++i) {
         const ObjectId id = b.object(Quad{{2, 2}}, white, places[i], grey(0.8));
@@ -60,7 +66,8 @@ TEST(ClosedRoom, OfSixQuadsIsAFurnace) {  // A1
     test::expectMean(b.render().beauty, 1.6, "room");
 }
 
-/// A2: radiance of the wall of a closed ball with a point light of intensity I in its centre, all bounces.
+/// A2: radiance of the wall of a closed ball with a point light of intensity I in its centre, all
+/// bounces.
 constexpr double kRadius = 1.5, kIntensity = 3, kAlbedo = 0.7;
 double firstBounce() { return kAlbedo * kIntensity / (kPi * kRadius * kRadius); }
 
@@ -119,7 +126,8 @@ TEST(ConcentricBalls, ExchangeLightByTheirViewFactors) {  // A4
 
 TEST(WhiteFurnace, HidesEverythingThatLosesNothing) {  // A5
     SceneBuilder b;
-    const MaterialId white = b.material(Diffuse{grey(1)}), mirror = b.material(Mirror{grey(1)}), glass = b.material(Glass{});
+    const MaterialId white = b.material(Diffuse{grey(1)}), mirror = b.material(Mirror{grey(1)}),
+                     glass = b.material(Glass{});
     const MaterialId sheet = b.material(Translucent{grey(0.3), grey(0.7)});
     b.object(Sphere{1}, white, {-2, 0, 0});
     b.object(Box{{1, 1, 1}}, mirror, {0, 0, 0});
@@ -153,7 +161,8 @@ TEST(WhiteFurnace, HidesRoughGlassAndCoats) {  // A5
 /// A1 in the upper part of a cone that a disk divides.
 TEST(ClosedRoom, OfAConeAndADiskIsAFurnace) {
     SceneBuilder b = insideOf(Cone{1, 2}, 0.5, 0.8, {0.1, 0.3, 0}, {0.3, -0.1, 0.2});
-    b.object(Disk{0.5}, b.scene().objects.at(b.scene().objects.ids().front()).material, {0, 0, 0}, grey(0.8));
+    b.object(Disk{0.5}, b.scene().objects.at(b.scene().objects.ids().front()).material, {0, 0, 0},
+             grey(0.8));
     test::expectMean(b.render().beauty, 1.6, "cone over disk");
 }
 
@@ -179,7 +188,8 @@ TEST(TranslucentSheet, InConstantLightIsTheSumOfItsShares) {  // A11
 TEST(MirrorCorridor, DimsByEachReflection) {  // A10
     const double reflectance = 0.8, length = 10;
     for (const Integrator integrator : {Integrator::Path, Integrator::Classic})
-        for (const double slope : {0.57, 1.03, 2.37, 4.17}  /* none at the edge between two numbers of bounces */) {
+        for (const double slope :
+             {0.57, 1.03, 2.37, 4.17} /* none at the edge between two numbers of bounces */) {
             SceneBuilder b;
             const MaterialId mirror = b.material(Mirror{grey(reflectance)});
             for (const double side : {-1.0, 1.0}) {
@@ -196,7 +206,8 @@ TEST(MirrorCorridor, DimsByEachReflection) {  // A10
             const int bounces = static_cast<int>(std::floor((length * slope + 1) / 2));
             const double exact = std::pow(reflectance, bounces);
             const test::Estimate found = test::estimateMean(b.render().beauty);
-            EXPECT_NEAR(found.mean, exact, 4 * found.sigma + 2e-6 * bounces * exact) << "slope " << slope;
+            EXPECT_NEAR(found.mean, exact, 4 * found.sigma + 2e-6 * bounces * exact)
+                << "slope " << slope;
             EXPECT_LE(found.sigma, 0.03 * exact) << "slope " << slope;
         }
 }

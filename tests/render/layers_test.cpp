@@ -22,18 +22,22 @@ Channels layersOf(const SceneBuilder& b) {
     return out;
 }
 
-const char* kLight[] = {"diffuse_direct", "diffuse_indirect", "glossy_direct", "glossy_indirect", "transmission_direct", "transmission_indirect", "emission", "environment"};
+const char* kLight[] = {"diffuse_direct",  "diffuse_indirect",    "glossy_direct",
+                        "glossy_indirect", "transmission_direct", "transmission_indirect",
+                        "emission",        "environment"};
 
 SceneBuilder everything() {
     SceneBuilder b;
     b.object(Plane{}, b.material(Glossy{Color{0.5, 0.4, 0.3}}));
     b.object(Sphere{0.7}, b.material(Glass{1.5, Color{0.2, 0.4, 0.6}}), {-1.6, 0.7, 0});
     b.object(Sphere{0.7}, b.material(Metal{}), {0, 0.7, 0});
-    b.object(Quad{{1, 1}}, b.material(Translucent{}), {1.6, 2.6, 0});  // Lit from below and from above.
+    b.object(Quad{{1, 1}}, b.material(Translucent{}),
+             {1.6, 2.6, 0});  // Lit from below and from above.
     Glass sheet;
     sheet.thin = true;
     b.object(Disk{0.5}, b.material(sheet), {-0.5, 2.2, 1});
-    b.object(Box{{0.6, 0.6, 0.6}}, b.material(Mix{{b.material(Phong{}), false}, {{}, true}, 0.4}), {0.8, 0.3, 1.4});
+    b.object(Box{{0.6, 0.6, 0.6}}, b.material(Mix{{b.material(Phong{}), false}, {{}, true}, 0.4}),
+             {0.8, 0.3, 1.4});
     b.object(Sphere{0.3}, {}, {0, 2, 0.5}, grey(8));
     b.pointLight({2, 3, 2}, grey(9));
     b.scene().environment.color = grey(0.3);
@@ -49,7 +53,8 @@ TEST(Layers, OfLightSumToThePicture) {
         for (std::size_t i = 0; i < layers.at(letter).size(); ++i) {
             double sum = 0;
             for (const char* name : kLight) {
-                const double value = static_cast<double>(layers.at(std::string(name) + "." + letter)[i]);
+                const double value =
+                    static_cast<double>(layers.at(std::string(name) + "." + letter)[i]);
                 ASSERT_GE(value, 0);
                 totals[name] += value;
                 sum += value;
@@ -57,7 +62,8 @@ TEST(Layers, OfLightSumToThePicture) {
             const double beauty = static_cast<double>(layers.at(letter)[i]);
             ASSERT_NEAR(sum, beauty, 2e-5 * beauty + 1e-7) << letter << " of pixel " << i;
         }
-    for (const char* name : kLight) EXPECT_GT(totals[name], 0) << name << " is empty, so the sum shows nothing of it";
+    for (const char* name : kLight)
+        EXPECT_GT(totals[name], 0) << name << " is empty, so the sum shows nothing of it";
 }
 
 TEST(Layers, DoNotChangeThePicture) {
@@ -101,7 +107,8 @@ TEST(Layers, DirectDiffuseIsTheClosedForm) {
 }
 
 TEST(Layers, ErrorIsTheStandardErrorOfTheMean) {
-    // Over many pixels of one true value, the root mean square of the estimates must be the spread of the pixels.
+    // Over many pixels of one true value, the root mean square of the estimates must be the spread
+    // of the pixels.
     SceneBuilder b;
     b.object(Plane{}, b.material(Diffuse{grey(0.5)}));
     b.object(Sphere{1}, {}, {0, 2, 0}, grey(4));
@@ -114,13 +121,16 @@ TEST(Layers, ErrorIsTheStandardErrorOfTheMean) {
     double squares = 0;
     for (const ExrChannel& channel : rendering.layers)
         if (channel.name == "error.sigma")
-            for (const float v : channel.values) squares += static_cast<double>(v) * static_cast<double>(v);
-    const double claimed = std::sqrt(squares / (64 * 64)), found = spread.sigma * std::sqrt(64.0 * 64 - 1);
+            for (const float v : channel.values)
+                squares += static_cast<double>(v) * static_cast<double>(v);
+    const double claimed = std::sqrt(squares / (64 * 64)),
+                 found = spread.sigma * std::sqrt(64.0 * 64 - 1);
     EXPECT_NEAR(claimed, found, 0.1 * found);
 }
 
 TEST(Layers, AreReadByOtherPrograms) {
-    if (std::system("command -v oiiotool > /dev/null") != 0) GTEST_SKIP() << "oiiotool is not installed";
+    if (std::system("command -v oiiotool > /dev/null") != 0)
+        GTEST_SKIP() << "oiiotool is not installed";
     const auto folder = std::filesystem::temp_directory_path() / "glint-layers-test";
     std::filesystem::create_directories(folder);
     const auto file = folder / "layers.exr";
@@ -129,7 +139,8 @@ TEST(Layers, AreReadByOtherPrograms) {
     ASSERT_TRUE(saveExr(file, {40, 30, rendering.layers, {}}));
     // oiiotool adds up the light layers' red and compares with R itself.
     std::string command = "oiiotool -i " + file.string() + " --ch R=diffuse_direct.R";
-    for (std::size_t i = 1; i < std::size(kLight); ++i) command += " -i " + file.string() + " --ch R=" + kLight[i] + ".R --add";
+    for (std::size_t i = 1; i < std::size(kLight); ++i)
+        command += " -i " + file.string() + " --ch R=" + kLight[i] + ".R --add";
     command += " -i " + file.string() + " --ch R --fail 0.001 --diff > /dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     std::filesystem::remove_all(folder);

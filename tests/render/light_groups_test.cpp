@@ -55,18 +55,23 @@ TEST_P(EveryIntegrator, GroupsSumToTheSample) {
     EXPECT_EQ(seen, (std::array{true, true, true, false}));
 }
 
-/// A sample that does not name a material keeps its bits whatever its values become, as far as the scene keeps its structure.
+/// A sample that does not name a material keeps its bits whatever its values become, as far as the
+/// scene keeps its structure.
 TEST_P(EveryIntegrator, SamplesRestOnTheMaterialsThatTheyName) {
     SceneBuilder b = threeSources();
     b.scene().render.integrator = GetParam();
     std::vector<std::pair<Rgb, std::uint64_t>> before;
     const auto scene = b.compile();
-    forEachSample(*scene, [&](const Rgb& value, const GroupLight&, std::uint64_t materials) { before.emplace_back(value, materials); });
+    forEachSample(*scene, [&](const Rgb& value, const GroupLight&, std::uint64_t materials) {
+        before.emplace_back(value, materials);
+    });
     for (const MaterialId id : b.scene().materials.ids()) {
         SceneBuilder edited = b;
         Material material = edited.scene().materials.at(id);
-        if (auto* glass = std::get_if<Glass>(&material.value)) glass->absorption.value = Color{0.5, 0.2, 0.9};
-        else material.value = Diffuse{Color{0.1, 0.2, 0.3}};
+        if (auto* glass = std::get_if<Glass>(&material.value))
+            glass->absorption.value = Color{0.5, 0.2, 0.9};
+        else
+            material.value = Diffuse{Color{0.1, 0.2, 0.3}};
         edited.scene().materials.set(id, material);
         std::size_t i = 0, changed = 0, named = 0;
         const auto after = edited.compile();
@@ -84,7 +89,8 @@ TEST_P(EveryIntegrator, SamplesRestOnTheMaterialsThatTheyName) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kernels, EveryIntegrator, testing::Values(Integrator::Path, Integrator::Classic));
+INSTANTIATE_TEST_SUITE_P(Kernels, EveryIntegrator,
+                         testing::Values(Integrator::Path, Integrator::Classic));
 
 TEST(LightGroups, NamesGatherSourcesAndTheRestStandsAlone) {
     Scene scene = threeSources().scene();
@@ -98,7 +104,8 @@ TEST(LightGroups, NamesGatherSourcesAndTheRestStandsAlone) {
     EXPECT_EQ(groups.count(), 2u);
     EXPECT_EQ(groups.of(lamp), groups.ofEnvironment());
     EXPECT_NE(groups.of(scene.lights.ids().front()), groups.ofEnvironment());
-    for (int i = 0; i < 3; ++i) scene.lights.add({"More " + std::to_string(i), PointLight{}, true, ""});
+    for (int i = 0; i < 3; ++i)
+        scene.lights.add({"More " + std::to_string(i), PointLight{}, true, ""});
     const LightGroups many(scene);
     EXPECT_EQ(many.count(), 2u) << "four lamps without a group share one";
     EXPECT_EQ(many.of(scene.lights.ids().front()), many.of(scene.lights.ids().back()));
@@ -117,7 +124,8 @@ TEST(LightGroups, AMixIsOneFactorAGroup) {
     ASSERT_TRUE(mix);
     EXPECT_LT(glm::length(mix->gain[groups.ofEnvironment()] - DVec3(3)), 1e-14);
     EXPECT_EQ(mix->gain[groups.of(id)], DVec3(2, 1, 0));
-    EXPECT_FALSE(lightMixBetween(after, before, LightGroups(after))) << "blue has no light to make more of";
+    EXPECT_FALSE(lightMixBetween(after, before, LightGroups(after)))
+        << "blue has no light to make more of";
     light.visible = false;
     after.lights.set(id, light);
     EXPECT_EQ(lightMixBetween(before, after, groups)->gain[groups.of(id)], DVec3(0.0));
@@ -125,7 +133,8 @@ TEST(LightGroups, AMixIsOneFactorAGroup) {
 
 TEST(LightGroups, SourcesOfOneGroupMustChangeAlike) {
     Scene before = threeSources().scene();
-    for (int i = 0; i < 4; ++i) before.lights.add({"More " + std::to_string(i), PointLight{}, true, "Stage"});
+    for (int i = 0; i < 4; ++i)
+        before.lights.add({"More " + std::to_string(i), PointLight{}, true, "Stage"});
     const LightGroups groups(before);
     Scene after = before;
     const LightId id = after.lights.ids().back();

@@ -66,7 +66,8 @@ SceneBuilder materialStage(Integrator integrator) {
     return b;
 }
 
-/// Random material edits one after the other, some of them before the one before is done, each compared with a render from nothing.
+/// Random material edits one after the other, some of them before the one before is done, each
+/// compared with a render from nothing.
 void materialEditsAreExact(Integrator integrator, int edits, unsigned seed) {
     std::mt19937 random(seed);
     Scene scene = materialStage(integrator).scene();
@@ -85,8 +86,10 @@ void materialEditsAreExact(Integrator integrator, int edits, unsigned seed) {
             continue;
         }
         finish(picture);
-        const auto difference = firstDifference(picture.picture().film, renderedFromNothing(scene, pool));
-        ASSERT_FALSE(difference) << "edit " << i << " of seed " << seed << " at " << difference->first << "," << difference->second;
+        const auto difference =
+            firstDifference(picture.picture().film, renderedFromNothing(scene, pool));
+        ASSERT_FALSE(difference) << "edit " << i << " of seed " << seed << " at "
+                                 << difference->first << "," << difference->second;
     }
     EXPECT_GT(retraced, edits / 2) << "most edits are to keep some pixels";
     testing::Test::RecordProperty("mean share of the pixels", std::to_string(share / retraced));
@@ -102,7 +105,8 @@ TEST(LivingPictureFull, TenThousandMaterialEditsAreBitEqualToAFullRender) {
     materialEditsAreExact(Integrator::Classic, 5000, 4);
 }
 
-/// A test that cannot fail proves nothing: samples kept although they rest on what changed are seen.
+/// A test that cannot fail proves nothing: samples kept although they rest on what changed are
+/// seen.
 TEST(LivingPicture, KeptSamplesThatDoNotHoldAreSeen) {
     Scene scene = materialStage(Integrator::Path).scene();
     WorkerPool pool(2);
@@ -141,7 +145,8 @@ double zOfMix(const Scene& before, Scene after, WorkerPool& pool) {
     EXPECT_EQ(picture.retracedShare(), 0);
     EXPECT_TRUE(picture.isConverged());
     after.render.seed = 99;
-    const Mean mixed = meanOf(picture.picture().film), exact = meanOf(renderedFromNothing(after, pool));
+    const Mean mixed = meanOf(picture.picture().film),
+               exact = meanOf(renderedFromNothing(after, pool));
     return (mixed.value - exact.value) / std::sqrt(mixed.variance + exact.variance);
 }
 
@@ -156,10 +161,14 @@ TEST(LivingPicture, MixedLightEqualsNewLight) {
         if (i % 3 != 1) after.environment.intensity *= gain;
         const LightId id = after.lights.ids().front();
         Light light = after.lights.at(id);
-        if (i % 3 != 0) lightColor(light) = {gain * lightColor(light).r, 2 * lightColor(light).g, 0.5 * lightColor(light).b};
+        if (i % 3 != 0)
+            lightColor(light) = {gain * lightColor(light).r, 2 * lightColor(light).g,
+                                 0.5 * lightColor(light).b};
         after.lights.set(id, light);
         const double z = zOfMix(before, after, pool);
-        EXPECT_LT(std::abs(z), 4.3) << "edit " << i;  // alpha = 1e-3 / 6, two-sided, with room for the mean of few heavy tails
+        EXPECT_LT(std::abs(z), 4.3)
+            << "edit "
+            << i;  // alpha = 1e-3 / 6, two-sided, with room for the mean of few heavy tails
         // The wrong twin: a gain that is 3 % off is seen.
         if (i != 2) continue;
         Scene wrong = after;
@@ -169,8 +178,10 @@ TEST(LivingPicture, MixedLightEqualsNewLight) {
         picture.takeUp(wishFor(before));
         finish(picture);
         picture.takeUp(wishFor(after));
-        const Mean mixed = meanOf(picture.picture().film), other = meanOf(renderedFromNothing(wrong, pool));
-        EXPECT_GT(std::abs(mixed.value - other.value) / std::sqrt(mixed.variance + other.variance), 4.3);
+        const Mean mixed = meanOf(picture.picture().film),
+                   other = meanOf(renderedFromNothing(wrong, pool));
+        EXPECT_GT(std::abs(mixed.value - other.value) / std::sqrt(mixed.variance + other.variance),
+                  4.3);
     }
 }
 
@@ -194,15 +205,20 @@ TEST(LivingPicture, OneLampAloneIsScaled) {
     picture.takeUp(wishFor(after));
     EXPECT_EQ(picture.retracedShare(), 0);
     const DVec3 gain(2, 0.5, 4);
-    for (int i = 0; i < 8; ++i) EXPECT_LT(glm::length(picture.picture().film.at(i, 7).sumA - gain * before.at(i, 7).sumA), 1e-9);
+    for (int i = 0; i < 8; ++i)
+        EXPECT_LT(glm::length(picture.picture().film.at(i, 7).sumA - gain * before.at(i, 7).sumA),
+                  1e-9);
 }
 
-/// What is shown until a resized picture has samples is of the same scene, and of as many groups of light.
+/// What is shown until a resized picture has samples is of the same scene, and of as many groups of
+/// light.
 TEST(LivingPicture, AnotherSceneTakesTheResizedPictureAway) {
     SceneBuilder b = materialStage(Integrator::Path);
     WorkerPool pool(2);
     LivingPicture picture(pool);
-    const auto sized = [](const Scene& scene, int width) { return LivingPicture::Wish{scene, {}, width, 18, std::nullopt}; };
+    const auto sized = [](const Scene& scene, int width) {
+        return LivingPicture::Wish{scene, {}, width, 18, std::nullopt};
+    };
     picture.takeUp(sized(b.scene(), 24));
     finish(picture);
     picture.takeUp(sized(b.scene(), 30));

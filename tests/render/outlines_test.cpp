@@ -17,7 +17,8 @@ using test::SceneBuilder;
 /// Mirrors, shadows and faces, lit by points.
 SceneBuilder room() {
     SceneBuilder b;
-    const MaterialId grey = b.material(Diffuse{Color{0.6, 0.6, 0.5}}), mirror = b.material(Mirror{});
+    const MaterialId grey = b.material(Diffuse{Color{0.6, 0.6, 0.5}}),
+                     mirror = b.material(Mirror{});
     b.object(Plane{}, grey);
     b.object(Sphere{1}, mirror, {-1.1, 1, 0});
     b.object(Box{{1, 1, 1}}, b.material(Diffuse{Color{0.8, 0.2, 0.1}}), {1, 0.5, 0.5});
@@ -36,7 +37,8 @@ double differenceOf(const Image& image, const Image& exact) {
     double squares = 0, light = 0;
     for (int y = 0; y < exact.height; ++y)
         for (int x = 0; x < exact.width; ++x) {
-            const double is = static_cast<double>(luminance(test::pixelAt(image, x, y))), should = static_cast<double>(luminance(test::pixelAt(exact, x, y)));
+            const double is = static_cast<double>(luminance(test::pixelAt(image, x, y))),
+                         should = static_cast<double>(luminance(test::pixelAt(exact, x, y)));
             squares += (is - should) * (is - should);
             light += should;
         }
@@ -139,11 +141,13 @@ TEST(Outlines, ALightWithASizeALensAndPathsAreForSamples) {
     EXPECT_FALSE(Outlines::suit(*b.compile()));
 }
 
-/// What few rays do not tell, here a picture in a mirror and behind, is left to samples; the error holds all the same.
+/// What few rays do not tell, here a picture in a mirror and behind, is left to samples; the error
+/// holds all the same.
 TEST(Outlines, PixelsThatSeeAPictureAreSampled) {
     SceneBuilder b = room();
     Image sky{64, 32, std::vector<float>(3 * 64 * 32)};
-    for (std::size_t i = 0; i < sky.rgb.size(); ++i) sky.rgb[i] = 0.5f + 0.5f * std::sin(static_cast<float>(i));
+    for (std::size_t i = 0; i < sky.rgb.size(); ++i)
+        sky.rgb[i] = 0.5f + 0.5f * std::sin(static_cast<float>(i));
     const test::TempFolder folder;
     ASSERT_TRUE(saveLinear(folder / "sky.exr", sky, {}));
     b.scene().environment = {.image = (folder / "sky.exr").string()};

@@ -1,4 +1,5 @@
-// The record of a sample: its contributions add up to the sample, for both integrators, and it names what was met.
+// The record of a sample: its contributions add up to the sample, for both integrators, and it
+// names what was met.
 #include <gtest/gtest.h>
 
 #include "tests/support/scenes.h"
@@ -46,7 +47,9 @@ TEST(PathRecord, ContributionsAddUpToTheSample) {
                         const Rgb value = renderSample(*scene, {x, y, sample});
                         ASSERT_EQ(record.value, value) << x << "," << y << "," << sample;
                         const Rgb sum = sumOf(record);
-                        for (int c = 0; c < 3; ++c) ASSERT_NEAR(sum[c], value[c], 2e-6f * value[c] + 1e-12f) << x << "," << y << "," << sample;
+                        for (int c = 0; c < 3; ++c)
+                            ASSERT_NEAR(sum[c], value[c], 2e-6f * value[c] + 1e-12f)
+                                << x << "," << y << "," << sample;
                     }
         }
 }
@@ -69,7 +72,8 @@ TEST(PathRecord, NamesWhatThePathMet) {
                     // Green is absorbed at 1 per metre.
                     ASSERT_NEAR(v.transmitted.y, std::exp(-v.absorbedLength), 1e-5);
                 }
-                for (const PathLight& light : v.lights) direct = direct || light.kind == PathLight::Kind::Direct;
+                for (const PathLight& light : v.lights)
+                    direct = direct || light.kind == PathLight::Kind::Direct;
             }
             EXPECT_FALSE(pathText(record, b.scene()).empty());
         }
@@ -83,7 +87,8 @@ TEST(PathRecord, TotalsOfRowsAreTheSample) {
         const PathRecord record = recordSample(*scene, {x, 16, 1});
         const std::vector<PathRow> rows = pathRows(record, b.scene());
         ASSERT_FALSE(rows.empty());
-        for (int c = 0; c < 3; ++c) ASSERT_NEAR(rows.front().total[c], record.value[c], 2e-6f * record.value[c] + 1e-12f);
+        for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(rows.front().total[c], record.value[c], 2e-6f * record.value[c] + 1e-12f);
     }
 }
 

@@ -1,4 +1,5 @@
-// The preview filter: it takes most of the noise away, leaves what has none alone, and never mixes surfaces.
+// The preview filter: it takes most of the noise away, leaves what has none alone, and never mixes
+// surfaces.
 #include <gtest/gtest.h>
 
 #include "tests/support/scenes.h"
@@ -20,13 +21,15 @@ Rendering filteredRender(const SceneBuilder& builder) {
 double relativeMse(const Image& image, const Image& reference) {
     double sum = 0;
     for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-        const double r = static_cast<double>(reference.rgb[i]), d = static_cast<double>(image.rgb[i]) - r;
+        const double r = static_cast<double>(reference.rgb[i]),
+                     d = static_cast<double>(image.rgb[i]) - r;
         sum += d * d / (r * r + 0.01);
     }
     return sum / static_cast<double>(image.rgb.size());
 }
 
-/// Two coloured balls on a floor in the light of a lamp and of the sky: soft shadows and light from ball to floor.
+/// Two coloured balls on a floor in the light of a lamp and of the sky: soft shadows and light from
+/// ball to floor.
 SceneBuilder softShadows() {
     SceneBuilder b;
     b.object(Plane{}, b.material(Diffuse{}));
@@ -71,7 +74,8 @@ TEST(PreviewFilter, LeavesAFifthOfTheErrorOfFourSamples) {
         b.scene().render.spp = kReference;
         b.scene().render.seed = 7;
         const Image reference = b.render().beauty;
-        const double raw = relativeMse(few.beauty, reference), filtered = relativeMse(few.filtered, reference);
+        const double raw = relativeMse(few.beauty, reference),
+                     filtered = relativeMse(few.filtered, reference);
         // The reference's own noise is in both.
         const double noise = raw * 4 / (kReference + 4);
         EXPECT_LT(filtered - noise, (raw - noise) / 5) << raw << " " << filtered;
@@ -97,7 +101,8 @@ TEST(PreviewFilter, ChangesNothingWhereThereIsNoNoise) {
     b.scene().render.spp = 2;
     const Rendering out = filteredRender(b);
     for (std::size_t i = 0; i < out.beauty.rgb.size(); ++i)
-        ASSERT_NEAR(out.filtered.rgb[i], out.beauty.rgb[i], 2e-3f * out.beauty.rgb[i] + 1e-6f) << "value " << i;
+        ASSERT_NEAR(out.filtered.rgb[i], out.beauty.rgb[i], 2e-3f * out.beauty.rgb[i] + 1e-6f)
+            << "value " << i;
 }
 
 TEST(PreviewFilter, WorksOnTheCropAlone) {
@@ -111,14 +116,18 @@ TEST(PreviewFilter, WorksOnTheCropAlone) {
     for (int y = 0; y < 135; ++y)
         for (int x = 0; x < 240; ++x) {
             const float value = out.filtered.rgb[static_cast<std::size_t>(3 * (y * 240 + x))];
-            if (x >= 40 && x < 140 && y >= 30 && y < 90) inside += static_cast<double>(value);
-            else ASSERT_EQ(value, 0.0f);
+            if (x >= 40 && x < 140 && y >= 30 && y < 90)
+                inside += static_cast<double>(value);
+            else
+                ASSERT_EQ(value, 0.0f);
         }
     // Black from outside did not come in.
     const Rendering whole = filteredRender(b);
     double same = 0;
     for (int y = 30; y < 90; ++y)
-        for (int x = 40; x < 140; ++x) same += static_cast<double>(whole.filtered.rgb[static_cast<std::size_t>(3 * (y * 240 + x))]);
+        for (int x = 40; x < 140; ++x)
+            same += static_cast<double>(
+                whole.filtered.rgb[static_cast<std::size_t>(3 * (y * 240 + x))]);
     EXPECT_NEAR(inside, same, 0.01 * same);
 }
 
@@ -131,7 +140,8 @@ TEST(GuideFilm, SeesThroughMirrorsAndGlass) {
     b.camera({0, 1.2, 5}, {0, 1.2, 0}, 10);
     b.film(32, 32, 1);
     const auto scene = b.compile();
-    const GuideSample low = traceGuide(*scene, 16, 28, 0);  // the ball's lower half mirrors the floor
+    const GuideSample low =
+        traceGuide(*scene, 16, 28, 0);  // the ball's lower half mirrors the floor
     EXPECT_EQ(low.object, ball.value);
     EXPECT_GT(low.albedo.x, 0.5f);
     EXPECT_LT(low.seenAlbedo.x, 0.2f);

@@ -17,7 +17,8 @@ SceneBuilder crowd(int balls) {
     b.object(Sphere{1}, b.material(Glass{}), {0, 1, 0});
     b.object(Box{}, clay, {-2, 0.5, 0});
     b.object(Sphere{0.3}, {}, {0, 4, 1}, {20, 20, 20});
-    for (int i = 0; i < balls; ++i) b.object(Sphere{0.1}, clay, {0.3 * (i % 20) - 3, 0.1, 0.3 * (i / 20) - 3});
+    for (int i = 0; i < balls; ++i)
+        b.object(Sphere{0.1}, clay, {0.3 * (i % 20) - 3, 0.1, 0.3 * (i / 20) - 3});
     b.scene().environment.color = Color{0.2, 0.3, 0.4};
     b.camera({0, 2, 6}, {0, 0.8, 0}, 40);
     b.film(40, 30, 1);
@@ -31,8 +32,12 @@ Compiled compileAfter(const Scene& scene, const std::shared_ptr<const RenderScen
 
 TEST(Recompile, AnotherViewIsTheSameSceneAndHasTheBitsOfACompile) {
     const std::function<void(Scene&)> edits[] = {
-        [](Scene& s) { s.camera.position = {3, 1, 4}; },
-        [](Scene& s) { s.camera.position = {0.2, 1.1, 0.3}; },  // in the glass
+        [](Scene& s) {
+            s.camera.position = {3, 1, 4};
+        },
+        [](Scene& s) {
+            s.camera.position = {0.2, 1.1, 0.3};
+        },  // in the glass
         [](Scene& s) { s.camera.apertureRadius = 0.2; },
         [](Scene& s) { s.camera.projection = Projection::Orthographic; },
         [](Scene& s) { s.film.width = 57; },
@@ -51,7 +56,8 @@ TEST(Recompile, AnotherViewIsTheSameSceneAndHasTheBitsOfACompile) {
         seen = next.value();
         const auto fresh = edited.compile();
         EXPECT_EQ(seen->features, fresh->features);
-        EXPECT_EQ(render(seen, {.threads = 2}).beauty.rgb, render(fresh, {.threads = 2}).beauty.rgb);
+        EXPECT_EQ(render(seen, {.threads = 2}).beauty.rgb,
+                  render(fresh, {.threads = 2}).beauty.rgb);
     }
     edited.scene().camera.target = edited.scene().camera.position;
     EXPECT_FALSE(withView(*seen, edited.scene()).ok());
@@ -63,7 +69,9 @@ TEST(Recompile, WhatIsNotTheViewIsNoViewEdit) {
         [](Scene& s) { s.render.seed = 1; },
         [](Scene& s) { s.environment.intensity = 2; },
         [](Scene& s) { s.objects.erase(s.objects.ids().back()); },
-        [](Scene& s) { s.materials.set(s.materials.ids().front(), {"Other", Mirror{}}); },
+        [](Scene& s) {
+            s.materials.set(s.materials.ids().front(), {"Other", Mirror{}});
+        },
     };
     for (const auto& edit : edits) {
         SceneBuilder edited = b;
@@ -77,7 +85,8 @@ TEST(Recompile, AMaterialBuildsNoListsAndAMoveRefitsThem) {
     SceneBuilder b = crowd(200);
     Compiled compiled = compileAfter(b.scene(), nullptr);
     EXPECT_EQ(compiled.stats.shapeListsBuilt, 1);
-    b.scene().materials.set(b.scene().materials.ids().front(), {"Clay", Diffuse{.color = Color{0.1, 0.2, 0.3}}});
+    b.scene().materials.set(b.scene().materials.ids().front(),
+                            {"Clay", Diffuse{.color = Color{0.1, 0.2, 0.3}}});
     const Compiled colored = compileAfter(b.scene(), compiled.scene);
     EXPECT_EQ(colored.stats.shapeListsBuilt + colored.stats.shapeListsRefitted, 0);
     EXPECT_EQ(colored.scene->lists, compiled.scene->lists);
@@ -90,7 +99,8 @@ TEST(Recompile, AMaterialBuildsNoListsAndAMoveRefitsThem) {
         compiled = compileAfter(b.scene(), compiled.scene);
         EXPECT_EQ(compiled.stats.shapeListsBuilt, 0);
         EXPECT_EQ(compiled.stats.shapeListsRefitted, 1);
-        EXPECT_EQ(render(compiled.scene, {.threads = 2}).beauty.rgb, render(b.compile(), {.threads = 2}).beauty.rgb);
+        EXPECT_EQ(render(compiled.scene, {.threads = 2}).beauty.rgb,
+                  render(b.compile(), {.threads = 2}).beauty.rgb);
     }
     b.scene().objects.erase(ball);
     EXPECT_EQ(compileAfter(b.scene(), compiled.scene).stats.shapeListsBuilt, 1);

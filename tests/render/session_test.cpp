@@ -1,5 +1,5 @@
-// The living render: it ends at the picture of the headless one, shows every edit, keeps what a view setting does not touch,
-// and can be torn down at any moment.
+// The living render: it ends at the picture of the headless one, shows every edit, keeps what a
+// view setting does not touch, and can be torn down at any moment.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -33,9 +33,12 @@ SceneBuilder stillLife() {
     return b;
 }
 
-ViewSettings viewOf(const Scene& scene) { return {scene.film.width, scene.film.height, {}, false, {}, 0}; }
+ViewSettings viewOf(const Scene& scene) {
+    return {scene.film.width, scene.film.height, {}, false, {}, 0};
+}
 
-/// The next frame for which `wanted` holds; a copy, or a failure after two minutes: sanitizers and busy machines are slow.
+/// The next frame for which `wanted` holds; a copy, or a failure after two minutes: sanitizers and
+/// busy machines are slow.
 template <class Wanted>
 SessionFrame waitFor(Session& session, Wanted wanted) {
     for (int i = 0; i < 120000; ++i) {
@@ -50,7 +53,8 @@ bool isConverged(const SessionFrame& frame) { return frame.state == SessionState
 std::vector<std::uint32_t> shown(const Image& image, const DisplaySettings& settings) {
     const DisplayTransform transform(settings);
     std::vector<std::uint32_t> out;
-    for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3) out.push_back(transform.apply({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]}));
+    for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3)
+        out.push_back(transform.apply({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]}));
     return out;
 }
 
@@ -77,7 +81,8 @@ TEST(Session, ShowsTheNewestOfManyEdits) {
         b.scene().camera.position.x = 0.02 * i;
         last = session.publish(b.scene(), {});
     }
-    const SessionFrame frame = waitFor(session, [&](const SessionFrame& f) { return f.revision == last && isConverged(f); });
+    const SessionFrame frame = waitFor(
+        session, [&](const SessionFrame& f) { return f.revision == last && isConverged(f); });
     EXPECT_EQ(frame.pixels, shown(b.render().beauty, {}));
 }
 
@@ -90,7 +95,8 @@ TEST(Session, ExposureChangesThePictureWithoutNewSamples) {
     const SessionFrame before = waitFor(session, isConverged);
     view.paint.display.exposureEv = 1;
     session.publish(view);
-    const SessionFrame after = waitFor(session, [&](const SessionFrame& f) { return f.pixels != before.pixels; });
+    const SessionFrame after =
+        waitFor(session, [&](const SessionFrame& f) { return f.pixels != before.pixels; });
     EXPECT_EQ(after.pixels, shown(b.render().beauty, view.paint.display));
     EXPECT_EQ(after.seconds, before.seconds) << "time was spent on new samples";
 }
@@ -121,7 +127,9 @@ TEST(Session, RegionKeepsTheRest) {
     session.publish(view);
     b.scene().environment.color = Color{2, 0.1, 0.1};
     const std::uint64_t revision = session.publish(b.scene(), {});
-    const auto isNew = [&](const SessionFrame& f) { return f.revision == revision && isConverged(f); };
+    const auto isNew = [&](const SessionFrame& f) {
+        return f.revision == revision && isConverged(f);
+    };
     const std::vector<std::uint32_t> part = waitFor(session, isNew).pixels;
     const std::vector<std::uint32_t> whole = shown(b.render().beauty, {});
     for (int y = 0; y < view.height; ++y)
@@ -133,7 +141,9 @@ TEST(Session, RegionKeepsTheRest) {
     // Without the region the rest is made anew.
     view.region.reset();
     session.publish(view);
-    EXPECT_EQ(waitFor(session, [](const SessionFrame& f) { return !f.region && isConverged(f); }).pixels, whole);
+    EXPECT_EQ(
+        waitFor(session, [](const SessionFrame& f) { return !f.region && isConverged(f); }).pixels,
+        whole);
 }
 
 TEST(Session, ChannelsAndFilterCostNoSamples) {
@@ -146,19 +156,22 @@ TEST(Session, ChannelsAndFilterCostNoSamples) {
     for (std::size_t i = 1; i < kChannels; ++i) {
         view.paint.channel = static_cast<Channel>(i);
         session.publish(view);
-        const SessionFrame frame = waitFor(session, [&](const SessionFrame& f) { return f.channel == view.paint.channel; });
+        const SessionFrame frame = waitFor(
+            session, [&](const SessionFrame& f) { return f.channel == view.paint.channel; });
         EXPECT_EQ(frame.seconds, beauty.seconds) << "channel " << i;
         EXPECT_NE(frame.pixels, beauty.pixels) << "channel " << i;
     }
     view.paint.channel = Channel::Beauty;
     view.paint.filtered = true;
     session.publish(view);
-    const SessionFrame filtered = waitFor(session, [&](const SessionFrame& f) { return f.filtered; });
+    const SessionFrame filtered =
+        waitFor(session, [&](const SessionFrame& f) { return f.filtered; });
     EXPECT_EQ(filtered.seconds, beauty.seconds);
     EXPECT_EQ(filtered.error, beauty.error);
     view.paint.filtered = false;
     session.publish(view);
-    EXPECT_EQ(waitFor(session, [](const SessionFrame& f) { return !f.filtered; }).pixels, beauty.pixels);
+    EXPECT_EQ(waitFor(session, [](const SessionFrame& f) { return !f.filtered; }).pixels,
+              beauty.pixels);
 }
 
 TEST(Session, ConvergedAndHiddenCostNoProcessorTime) {
@@ -180,7 +193,8 @@ TEST(Session, ConvergedAndHiddenCostNoProcessorTime) {
     EXPECT_GT(share(), 0.02);  // It is seen when there is work.
     view.paused = true;
     session.publish(view);
-    static_cast<void>(waitFor(session, [](const SessionFrame& f) { return f.state == SessionState::Paused; }));
+    static_cast<void>(
+        waitFor(session, [](const SessionFrame& f) { return f.state == SessionState::Paused; }));
     EXPECT_LT(share(), 0.005);
 }
 
@@ -196,13 +210,15 @@ TEST(Session, NamesAndStopRulesKeepTheSamples) {
     renamed.locked = true;
     b.scene().objects.set(id, renamed);
     const std::uint64_t revision = session.publish(b.scene(), {});
-    const SessionFrame after = waitFor(session, [&](const SessionFrame& f) { return f.revision == revision; });
+    const SessionFrame after =
+        waitFor(session, [&](const SessionFrame& f) { return f.revision == revision; });
     EXPECT_EQ(after.pixels, before.pixels);
     EXPECT_EQ(after.rays, before.rays);
     EXPECT_EQ(after.restarts, before.restarts);
     b.scene().render.spp = 12;
     const std::uint64_t longer = session.publish(b.scene(), {});
-    const SessionFrame more = waitFor(session, [&](const SessionFrame& f) { return f.revision == longer && isConverged(f); });
+    const SessionFrame more = waitFor(
+        session, [&](const SessionFrame& f) { return f.revision == longer && isConverged(f); });
     EXPECT_EQ(more.restarts, before.restarts);
     EXPECT_EQ(more.pixels, shown(b.render().beauty, {}));
 }
@@ -224,16 +240,21 @@ TEST(Session, ResizingKeepsWhatIsThere) {
     ViewSettings wider = viewOf(b.scene());
     wider.width += 20;
     session.publish(wider);
-    const SessionFrame first = waitFor(session, [&](const SessionFrame& f) { return f.width == wider.width; });
-    // The first frame of the new size shows the old picture, in its middle, as it was but for a few of its new samples.
+    const SessionFrame first =
+        waitFor(session, [&](const SessionFrame& f) { return f.width == wider.width; });
+    // The first frame of the new size shows the old picture, in its middle, as it was but for a few
+    // of its new samples.
     double difference = 0;
     for (int y = 0; y < before.height; ++y)
         for (int x = 0; x < before.width; ++x) {
             const auto red = [](std::uint32_t p) { return static_cast<double>(p >> 16 & 255); };
-            difference += std::abs(red(before.pixels[static_cast<std::size_t>(y * before.width + x)]) - red(first.pixels[static_cast<std::size_t>(y * first.width + x + 10)]));
+            difference +=
+                std::abs(red(before.pixels[static_cast<std::size_t>(y * before.width + x)]) -
+                         red(first.pixels[static_cast<std::size_t>(y * first.width + x + 10)]));
         }
     EXPECT_LT(difference / (before.width * before.height), 2);
-    static_cast<void>(waitFor(session, [&](const SessionFrame& f) { return f.width == wider.width && isConverged(f); }));
+    static_cast<void>(waitFor(
+        session, [&](const SessionFrame& f) { return f.width == wider.width && isConverged(f); }));
 }
 
 TEST(Session, MixingLightsCostsNoRaysAndIsRight) {
@@ -250,7 +271,8 @@ TEST(Session, MixingLightsCostsNoRaysAndIsRight) {
     lightColor(light) = {2, 9, 16};
     b.scene().lights.set(id, light);
     const std::uint64_t revision = session.publish(b.scene(), {});
-    const SessionFrame after = waitFor(session, [&](const SessionFrame& f) { return f.revision == revision; });
+    const SessionFrame after =
+        waitFor(session, [&](const SessionFrame& f) { return f.revision == revision; });
     EXPECT_EQ(after.rays, before.rays);
     EXPECT_EQ(after.state, SessionState::Converged) << "in its first frame";
     EXPECT_EQ(after.retracedShare, 0);
@@ -273,11 +295,13 @@ TEST(Session, UndoBringsTheConvergedPictureBack) {
     moved.transform.translate.x += 0.5;
     b.scene().objects.set(ball, moved);
     const std::uint64_t edited = session.publish(b.scene(), {});
-    const SessionFrame other = waitFor(session, [&](const SessionFrame& f) { return f.revision == edited && isConverged(f); });
+    const SessionFrame other = waitFor(
+        session, [&](const SessionFrame& f) { return f.revision == edited && isConverged(f); });
     for (int i = 0; i < 4; ++i) {
         const bool undo = i % 2 == 0;
         const std::uint64_t revision = session.publish(undo ? before : b.scene(), {});
-        const SessionFrame back = waitFor(session, [&](const SessionFrame& f) { return f.revision == revision; });
+        const SessionFrame back =
+            waitFor(session, [&](const SessionFrame& f) { return f.revision == revision; });
         EXPECT_EQ(back.state, SessionState::Converged);
         EXPECT_EQ(back.pixels, undo ? converged.pixels : other.pixels);
         EXPECT_EQ(back.rays, other.rays);
@@ -295,17 +319,48 @@ class RandomHand {
     }
     void act(Session& session) {
         switch (random_() % 16) {
-            case 0: case 1: case 2: moveBall(); break;
-            case 3: case 4: moveCamera(); break;
-            case 5: case 6: editMaterial(); break;
-            case 7: case 8: b_.scene().environment.intensity = 0.1 + unit(); break;
-            case 9: b_.scene() = history_[random_() % history_.size()]; break;  // undo and redo
-            case 10: view_.width = static_cast<int>(random_() % 150), view_.height = static_cast<int>(random_() % 100); return session.publish(view_);
-            case 11: view_.paused = !view_.paused; return session.publish(view_);
-            case 12: view_.paint = {{unit(), View::Standard}, static_cast<Channel>(random_() % kChannels), random_() % 2 == 0}; return session.publish(view_);
-            case 13: setRegion(); return session.publish(view_);
-            case 14: view_.threads = static_cast<int>(random_() % 4); return session.publish(view_);
-            default: b_.scene().render.spp = static_cast<int>(1 + random_() % 30), b_.scene().render.errorPercent = random_() % 3 == 0 ? 5 : 0; break;
+            case 0:
+            case 1:
+            case 2:
+                moveBall();
+                break;
+            case 3:
+            case 4:
+                moveCamera();
+                break;
+            case 5:
+            case 6:
+                editMaterial();
+                break;
+            case 7:
+            case 8:
+                b_.scene().environment.intensity = 0.1 + unit();
+                break;
+            case 9:
+                b_.scene() = history_[random_() % history_.size()];
+                break;  // undo and redo
+            case 10:
+                view_.width = static_cast<int>(random_() % 150),
+                view_.height = static_cast<int>(random_() % 100);
+                return session.publish(view_);
+            case 11:
+                view_.paused = !view_.paused;
+                return session.publish(view_);
+            case 12:
+                view_.paint = {{unit(), View::Standard},
+                               static_cast<Channel>(random_() % kChannels),
+                               random_() % 2 == 0};
+                return session.publish(view_);
+            case 13:
+                setRegion();
+                return session.publish(view_);
+            case 14:
+                view_.threads = static_cast<int>(random_() % 4);
+                return session.publish(view_);
+            default:
+                b_.scene().render.spp = static_cast<int>(1 + random_() % 30),
+                b_.scene().render.errorPercent = random_() % 3 == 0 ? 5 : 0;
+                break;
         }
         history_.push_back(b_.scene());
         if (history_.size() > 20) history_.erase(history_.begin());
@@ -325,14 +380,19 @@ class RandomHand {
     void editMaterial() {
         const MaterialId id = b_.scene().materials.ids()[random_() % 3];
         Material material = b_.scene().materials.at(id);
-        if (auto* diffuse = std::get_if<Diffuse>(&material.value)) diffuse->color.value = {unit(), unit(), unit()};
+        if (auto* diffuse = std::get_if<Diffuse>(&material.value))
+            diffuse->color.value = {unit(), unit(), unit()};
         if (auto* glass = std::get_if<Glass>(&material.value)) glass->ior.value = 1.1 + unit();
-        if (auto* mirror = std::get_if<Mirror>(&material.value)) mirror->color.value = {unit(), unit(), unit()};
+        if (auto* mirror = std::get_if<Mirror>(&material.value))
+            mirror->color.value = {unit(), unit(), unit()};
         b_.scene().materials.set(id, material);
     }
     void setRegion() {
         view_.region.reset();
-        if (random_() % 2) view_.region = PixelRect{static_cast<int>(random_() % 80), static_cast<int>(random_() % 60), static_cast<int>(random_() % 90), static_cast<int>(random_() % 60)};
+        if (random_() % 2)
+            view_.region =
+                PixelRect{static_cast<int>(random_() % 80), static_cast<int>(random_() % 60),
+                          static_cast<int>(random_() % 90), static_cast<int>(random_() % 60)};
     }
 
     std::mt19937 random_;
@@ -341,7 +401,8 @@ class RandomHand {
     ViewSettings view_{120, 90, {}, false, {}, 0};
 };
 
-/// Edits, undos, resizes, pauses, regions and channels at random moments; every session is torn down in the middle of its work.
+/// Edits, undos, resizes, pauses, regions and channels at random moments; every session is torn
+/// down in the middle of its work.
 void survivesRandomHands(int sessions, int acts, unsigned seed) {
     RandomHand hand(seed);
     for (int round = 0; round < sessions; ++round) {
@@ -349,9 +410,11 @@ void survivesRandomHands(int sessions, int acts, unsigned seed) {
         hand.begin(session);
         for (int i = 0; i < acts; ++i) {
             hand.act(session);
-            if (hand.random() % 2) std::this_thread::sleep_for(std::chrono::microseconds(hand.random() % 6000));
+            if (hand.random() % 2)
+                std::this_thread::sleep_for(std::chrono::microseconds(hand.random() % 6000));
             if (const SessionFrame* frame = session.take()) {
-                ASSERT_EQ(frame->pixels.size(), static_cast<std::size_t>(frame->width) * static_cast<std::size_t>(frame->height));
+                ASSERT_EQ(frame->pixels.size(), static_cast<std::size_t>(frame->width) *
+                                                    static_cast<std::size_t>(frame->height));
                 ASSERT_EQ(frame->nonfiniteSamples, 0u);
             }
         }
@@ -372,7 +435,8 @@ double residentBytes() {
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// An hour, or GLINT_SOAK_SECONDS: memory at the end is no more than after the first fifth, in which caches fill.
+/// An hour, or GLINT_SOAK_SECONDS: memory at the end is no more than after the first fifth, in
+/// which caches fill.
 TEST(SessionFull, AnHourOfEditsLeavesMemoryFlat) {
     if (!test::fullRun()) GTEST_SKIP() << "asked for by GLINT_FULL=1";
     const char* asked = std::getenv("GLINT_SOAK_SECONDS");
@@ -381,7 +445,9 @@ TEST(SessionFull, AnHourOfEditsLeavesMemoryFlat) {
     Session session(2);
     hand.begin(session);
     const auto start = std::chrono::steady_clock::now();
-    const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+    const auto elapsed = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
     double early = 0, late = 0;
     std::uint64_t acts = 0, frames = 0;
     for (double now = 0; now < seconds; now = elapsed()) {
@@ -392,8 +458,10 @@ TEST(SessionFull, AnHourOfEditsLeavesMemoryFlat) {
         double& most = now < 0.2 * seconds ? early : late;
         if (acts % 100 == 0) most = std::max(most, residentBytes());
     }
-    std::printf("%.0f s: %llu acts, %llu frames, at most %.1f MB in the first fifth, %.1f MB later\n", seconds, static_cast<unsigned long long>(acts),
-                static_cast<unsigned long long>(frames), early / 1e6, late / 1e6);
+    std::printf(
+        "%.0f s: %llu acts, %llu frames, at most %.1f MB in the first fifth, %.1f MB later\n",
+        seconds, static_cast<unsigned long long>(acts), static_cast<unsigned long long>(frames),
+        early / 1e6, late / 1e6);
     EXPECT_LT(late, 1.05 * early + 16e6);
 }
 

@@ -69,20 +69,23 @@ TEST(Skips, CountNothingWhereTheyHoldAndChangeNoBit) {
     }
     EXPECT_EQ(held.size(), allSkips().size()) << "a skip that no scene shows";
     // What kernels decide while they run can be forced; what a scene has no data for cannot.
-    for (const char* name : {"light that cannot count: no shadow ray", "clear media: no exponentials",
-                             "opaque surfaces: shadow rays end at any hit", "one light: no choice",
-                             "no sky: lost rays end at nothing",
-                             "no emissive shapes: hits are not asked for light"})
+    for (const char* name :
+         {"light that cannot count: no shadow ray", "clear media: no exponentials",
+          "opaque surfaces: shadow rays end at any hit", "one light: no choice",
+          "no sky: lost rays end at nothing", "no emissive shapes: hits are not asked for light"})
         EXPECT_TRUE(forced.contains(name)) << name;
 }
 
 TEST(Skips, EveryCountIsReachedBySomeScene) {
     WorkCounts sum;
-    for (const auto& scene : scenes()) sum += render(scene, {.threads = 1, .kernel = KernelChoice::NoSkips}).work;
+    for (const auto& scene : scenes())
+        sum += render(scene, {.threads = 1, .kernel = KernelChoice::NoSkips}).work;
     for (std::size_t i = 0; i < kWorkKinds; ++i) {
         // Only edits of a living picture leave hits known: first_hits_test.cpp.
-        if (i == static_cast<std::size_t>(Work::KnownHits)) EXPECT_EQ(sum.of[i], 0u);
-        else EXPECT_GT(sum.of[i], 0u) << kWorkNames[i];
+        if (i == static_cast<std::size_t>(Work::KnownHits))
+            EXPECT_EQ(sum.of[i], 0u);
+        else
+            EXPECT_GT(sum.of[i], 0u) << kWorkNames[i];
     }
 }
 

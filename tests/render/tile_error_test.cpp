@@ -1,9 +1,9 @@
 // Bounds of the error of tiles, the choice of tiles to sample, and the forecast of the end.
 #include <gtest/gtest.h>
 
+#include "tests/support/paths.h"
 #include "tests/support/rays.h"
 #include "tests/support/scenes.h"
-#include "tests/support/paths.h"
 #include "tracer/io/scene_json.h"
 #include "tracer/render/adaptive.h"
 #include "tracer/render/scheduler.h"
@@ -35,8 +35,7 @@ template <class Value>
 void addUpTo(Film& film, const CellGoals& goals, test::Random& random, Value valueOf) {
     for (int y = 0; y < film.height(); ++y)
         for (int x = 0; x < film.width(); ++x)
-            while (film.samples(x, y) < goals.at(x, y))
-                film.add(x, y, Rgb(valueOf(random)), {}, 0);
+            while (film.samples(x, y) < goals.at(x, y)) film.add(x, y, Rgb(valueOf(random)), {}, 0);
 }
 
 float spikes(test::Random& random) { return random.next() % 1000 == 0 ? 20.2f : 0.2f; }
@@ -60,7 +59,8 @@ Spikes adaptiveSpikes(int pictures, unsigned seed) {
     Spikes out;
     for (int i = 0; i < pictures; ++i) {
         Film film(kSize, kSize);
-        for (int stage = 0; stage < 13; ++stage) addUpTo(film, goalsAfter(film, 1u << 20), random, spikes);
+        for (int stage = 0; stage < 13; ++stage)
+            addUpTo(film, goalsAfter(film, 1u << 20), random, spikes);
         out.mean += meanOf(film) / pictures;
     }
     out.sigma = 20 * std::sqrt(1e-3 / (64.0 * kSize * kSize * pictures));
@@ -70,7 +70,8 @@ Spikes adaptiveSpikes(int pictures, unsigned seed) {
 /// Stops after a stage on purpose: the mean must not follow the choice of tiles.
 TEST(Adaptive, RareSpikesAreNotLost) {  // T23: bias at most 0.5 %
     const Spikes spikes = adaptiveSpikes(6, 7);
-    EXPECT_NEAR(spikes.mean, Spikes::kExact, 0.005 * Spikes::kExact + 3 * spikes.sigma) << "sigma " << spikes.sigma;
+    EXPECT_NEAR(spikes.mean, Spikes::kExact, 0.005 * Spikes::kExact + 3 * spikes.sigma)
+        << "sigma " << spikes.sigma;
 }
 TEST(AdaptiveFull, BiasOfRareSpikesIsWithinHalfAPercent) {
     if (!test::fullRun()) GTEST_SKIP() << "asked for by GLINT_FULL=1";
@@ -80,7 +81,8 @@ TEST(AdaptiveFull, BiasOfRareSpikesIsWithinHalfAPercent) {
     EXPECT_LT(std::abs(bias) + 3 * sigma, 0.005);
 }
 
-/// Nine tenths of the picture hardly vary: the rest must get most of the samples, and the error fall faster than with equal ones.
+/// Nine tenths of the picture hardly vary: the rest must get most of the samples, and the error
+/// fall faster than with equal ones.
 TEST(Adaptive, SpendsSamplesWhereTheErrorIs) {
     constexpr int kSize = 80;
     test::Random random(3);
@@ -93,14 +95,19 @@ TEST(Adaptive, SpendsSamplesWhereTheErrorIs) {
             samples = 0;
             for (int y = 0; y < kSize; ++y)
                 for (int x = 0; x < kSize; ++x) {
-                    while (film.samples(x, y) < goals.at(x, y)) film.add(x, y, Rgb(static_cast<float>(y < 8 ? 2 * random.uniform() : 1 + 0.01 * random.uniform())), {}, 0);
+                    while (film.samples(x, y) < goals.at(x, y))
+                        film.add(x, y,
+                                 Rgb(static_cast<float>(y < 8 ? 2 * random.uniform()
+                                                              : 1 + 0.01 * random.uniform())),
+                                 {}, 0);
                     samples += film.samples(x, y);
                 }
         }
         return film;
     };
     const PixelRect all{0, 0, kSize, kSize};
-    const double equal = pictureError(render(false), all), adaptive = pictureError(render(true), all);
+    const double equal = pictureError(render(false), all),
+                 adaptive = pictureError(render(true), all);
     EXPECT_LT(adaptive, 0.6 * equal);
 }
 
@@ -114,14 +121,17 @@ TEST(Adaptive, CountsArePowersOfTwoAndNoneFallsBehind) {
         for (const std::uint32_t goal : goals.samples) EXPECT_EQ(goal & (goal - 1), 0u);
         if (*most > 4096) break;
         int pixel = 0;
-        addUpTo(film, goals, random, [&](test::Random& r) { return ++pixel % 97 == 0 ? 50 * static_cast<float>(r.uniform()) : 1.0f; });
+        addUpTo(film, goals, random, [&](test::Random& r) {
+            return ++pixel % 97 == 0 ? 50 * static_cast<float>(r.uniform()) : 1.0f;
+        });
     }
 }
 
 double luminanceOf(const Film& film) {
     double sum = 0;
     for (int y = 0; y < film.height(); ++y)
-        for (int x = 0; x < film.width(); ++x) sum += static_cast<double>(luminance(film.at(x, y).mean()));
+        for (int x = 0; x < film.width(); ++x)
+            sum += static_cast<double>(luminance(film.at(x, y).mean()));
     return sum / (film.width() * film.height());
 }
 
@@ -140,11 +150,13 @@ Coverage coverageOf(const std::string& file, int seeds, int spp, int referenceSp
     const auto filmOf = [&](int seed, int samples) {
         scene.render.seed = seed;
         AssetCache assets;
-        const auto compiled = compile(scene, test::inSource("scenes/" + file).parent_path(), assets).value();
+        const auto compiled =
+            compile(scene, test::inSource("scenes/" + file).parent_path(), assets).value();
         WorkerPool pool(2);
         Film film(48, 48);
         RenderCounts counts;
-        Scheduler(pool).renderPass(*compiled.scene, film, nullptr, {0, 0, 48, 48}, 1, {.samples = static_cast<std::uint32_t>(samples)}, {}, counts);
+        Scheduler(pool).renderPass(*compiled.scene, film, nullptr, {0, 0, 48, 48}, 1,
+                                   {.samples = static_cast<std::uint32_t>(samples)}, {}, counts);
         return film;
     };
     const Film reference = filmOf(1000, referenceSpp);
@@ -159,7 +171,11 @@ Coverage coverageOf(const std::string& file, int seeds, int spp, int referenceSp
             for (int x = 0; x < 48; x += kErrorTile) {
                 double squares = 0;
                 for (int py = y; py < y + kErrorTile; ++py)
-                    for (int px = x; px < x + kErrorTile; ++px) squares += std::pow(static_cast<double>(luminance(film.at(px, py).mean() - reference.at(px, py).mean())), 2);
+                    for (int px = x; px < x + kErrorTile; ++px)
+                        squares +=
+                            std::pow(static_cast<double>(luminance(film.at(px, py).mean() -
+                                                                   reference.at(px, py).mean())),
+                                     2);
                 // Where nothing is left to chance both are rounding.
                 const double bound = mean * static_cast<double>(errors.tiles.at(x, y).value());
                 if (bound < 1e-6) continue;
@@ -173,7 +189,8 @@ Coverage coverageOf(const std::string& file, int seeds, int spp, int referenceSp
 TEST(TileErrorCoverage, BoundsHoldForNinetyFiveTilesInAHundred) {
     for (const char* file : {"report.json", "demo/cornell.json"}) {
         const Coverage coverage = coverageOf(file, 6, 32, 1024);
-        // 36 tiles x 6 seeds: 3 standard deviations of the count are 4.5 %. The reference's own noise counts against the bound.
+        // 36 tiles x 6 seeds: 3 standard deviations of the count are 4.5 %. The reference's own
+        // noise counts against the bound.
         EXPECT_GT(coverage.share(), 0.92 - 0.045) << file;
         EXPECT_GT(coverage.tiles, 150) << file;
         RecordProperty(file, std::to_string(coverage.share()));
@@ -186,10 +203,14 @@ TEST(TileErrorCoverageFull, BoundsHoldForNinetyFiveTilesInAHundred) {
         std::printf("%s: %.1f %% of %d tiles\n", file, 100 * coverage.share(), coverage.tiles);
         return coverage.share();
     };
-    // Light that sampling hardly finds, from a small sun over glass and mirrors to matt surfaces, is in no sample of most tiles: no bound can know of it.
-    for (const char* file : {"demo/columns.json", "demo/outdoor.json"}) static_cast<void>(share(file));
+    // Light that sampling hardly finds, from a small sun over glass and mirrors to matt surfaces,
+    // is in no sample of most tiles: no bound can know of it.
+    for (const char* file : {"demo/columns.json", "demo/outdoor.json"})
+        static_cast<void>(share(file));
     int close = 0;  // neither too bold nor too cautious
-    for (const char* file : {"report.json", "demo/cornell.json", "demo/still_life.json", "demo/many_balls.json", "demo/materials.json", "demo/depth_of_field.json", "demo/glass_study.json"}) {
+    for (const char* file :
+         {"report.json", "demo/cornell.json", "demo/still_life.json", "demo/many_balls.json",
+          "demo/materials.json", "demo/depth_of_field.json", "demo/glass_study.json"}) {
         const double inside = share(file);
         EXPECT_GE(inside, 0.92) << file;
         close += inside <= 0.98;

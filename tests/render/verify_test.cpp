@@ -92,9 +92,12 @@ double underBall(double albedo, double emission, double radius, const DVec3& at)
     return albedo * emission * squared(radius) / d2 * at.y / std::sqrt(d2);
 }
 
-/// A diffuse floor `h` metres below a spot that shines straight down, seen `x` metres beside it, where its edge fades.
-double underSpot(double albedo, double intensity, double h, double x, double outerDegrees, double innerDegrees) {
-    const double d2 = h * h + x * x, cosine = h / std::sqrt(d2), outer = std::cos(degreesToRadians(outerDegrees));
+/// A diffuse floor `h` metres below a spot that shines straight down, seen `x` metres beside it,
+/// where its edge fades.
+double underSpot(double albedo, double intensity, double h, double x, double outerDegrees,
+                 double innerDegrees) {
+    const double d2 = h * h + x * x, cosine = h / std::sqrt(d2),
+                 outer = std::cos(degreesToRadians(outerDegrees));
     const double t = (cosine - outer) / (std::cos(degreesToRadians(innerDegrees)) - outer);
     return albedo / kPi * intensity * t * t * (3 - 2 * t) * cosine / d2;
 }
@@ -195,13 +198,15 @@ TEST_P(Verify, NumberIsThatOfTheFormula) {
     EXPECT_FALSE(block_.value("source", "").empty());
 }
 
-/// Adds a row to the table that `./glint.sh closed-forms` puts into tests/render/README.md, if it asks for one.
-void addRow(const std::string& name, const std::string& source, double exact, const test::Estimate& found) {
+/// Adds a row to the table that `./glint.sh closed-forms` puts into tests/render/README.md, if it
+/// asks for one.
+void addRow(const std::string& name, const std::string& source, double exact,
+            const test::Estimate& found) {
     const char* file = std::getenv("GLINT_CLOSED_FORMS");
     if (!file) return;
     char row[256];
-    std::snprintf(row, sizeof row, "| %s | `%s` | %.7g | %.7g | %+.1e | %.1e |\n", source.c_str(), name.c_str(), exact, found.mean,
-                  found.mean / exact - 1, found.sigma / exact);
+    std::snprintf(row, sizeof row, "| %s | `%s` | %.7g | %.7g | %+.1e | %.1e |\n", source.c_str(),
+                  name.c_str(), exact, found.mean, found.mean / exact - 1, found.sigma / exact);
     std::ofstream(file, std::ios::app) << row;
 }
 

@@ -303,14 +303,19 @@ std::vector<double> integrateCells(const LeafCase& c, const DirectionGrid& grid,
 
 namespace {
 
-/// The integral over [0, 1] of what piece(from, to) gives the integral of with few points: halved where that is not enough.
+/// The integral over [0, 1] of what piece(from, to) gives the integral of with few points: halved
+/// where that is not enough.
 template <class Piece>
 double halvedIntegral(const Piece& piece) {
     constexpr int kParts = 16, kDeepest = 8;
-    constexpr double kTolerance = 1e-4;  // What is left is far below it: it bounds the worse of two values.
-    const auto halve = [&](const auto& self, double from, double to, double whole, int depth) -> double {
-        const double middle = 0.5 * (from + to), left = piece(from, middle), right = piece(middle, to);
-        if (depth == kDeepest || std::abs(left + right - whole) <= kTolerance * (to - from)) return left + right;
+    constexpr double kTolerance =
+        1e-4;  // What is left is far below it: it bounds the worse of two values.
+    const auto halve = [&](const auto& self, double from, double to, double whole,
+                           int depth) -> double {
+        const double middle = 0.5 * (from + to), left = piece(from, middle),
+                     right = piece(middle, to);
+        if (depth == kDeepest || std::abs(left + right - whole) <= kTolerance * (to - from))
+            return left + right;
         return self(self, from, middle, left, depth + 1) + self(self, middle, to, right, depth + 1);
     };
     double sum = 0;
@@ -328,11 +333,14 @@ double integrateDirections(const LeafCase& c, const Vec3& wo, const Density& den
     double total = 0;
     for (int sheet = 0; sheet <= (!c.crosses ? 0 : c.refracts ? 2 : 1); ++sheet) {
         const auto column = [&](double t) {
-            return halvedIntegral([&](double from, double to) { return integrateColumn(c, wo, sheet, from, to - from, t, rule, density); });
+            return halvedIntegral([&](double from, double to) {
+                return integrateColumn(c, wo, sheet, from, to - from, t, rule, density);
+            });
         };
         total += halvedIntegral([&](double from, double to) {
             double sum = 0;
-            for (const QuadratureNode& node : rule) sum += node.weight * (to - from) * column(from + (to - from) * node.x);
+            for (const QuadratureNode& node : rule)
+                sum += node.weight * (to - from) * column(from + (to - from) * node.x);
             return sum;
         });
     }

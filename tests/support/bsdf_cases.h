@@ -33,8 +33,8 @@ struct LeafCase {
 
 [[nodiscard]] Rgb evalLeaf(const LeafCase& c, const Vec3& wo, const Vec3& wi);
 [[nodiscard]] float pdfLeaf(const LeafCase& c, const Vec3& wo, const Vec3& wi);
-/// Samples below the horizon of an opaque leaf carry no light: they come back with density 0, as those
-/// that the leaf rejects.
+/// Samples below the horizon of an opaque leaf carry no light: they come back with density 0, as
+/// those that the leaf rejects.
 [[nodiscard]] BsdfSample sampleLeaf(const LeafCase& c, const Vec3& wo, const Vec3& u);
 
 /// Cells of directions: rows x columns on each of three sheets. 0: wo's side. 1: the other side,

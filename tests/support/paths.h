@@ -1,4 +1,5 @@
-// Where the tests find the scenes, the resources and the command-line program. The only file that knows is paths.cpp.
+// Where the tests find the scenes, the resources and the command-line program. The only file that
+// knows is paths.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-#include "tests/support/paths.h"
 #include "tests/support/scenes.h"
+#include "tests/support/paths.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -12,7 +12,8 @@ SceneBuilder::SceneBuilder() {
     scene_.render.spp = 64;
 }
 
-ObjectId SceneBuilder::object(const Shape& shape, MaterialId material, const DVec3& at, const Color& emission) {
+ObjectId SceneBuilder::object(const Shape& shape, MaterialId material, const DVec3& at,
+                              const Color& emission) {
     Object object;
     object.name = "Object " + std::to_string(scene_.objects.size() + 1);
     object.shape = shape;
@@ -23,7 +24,8 @@ ObjectId SceneBuilder::object(const Shape& shape, MaterialId material, const DVe
 }
 
 void SceneBuilder::pointLight(const DVec3& at, const Color& intensity) {
-    scene_.lights.add({"Light " + std::to_string(scene_.lights.size() + 1), PointLight{at, intensity}, true, ""});
+    scene_.lights.add(
+        {"Light " + std::to_string(scene_.lights.size() + 1), PointLight{at, intensity}, true, ""});
 }
 
 void SceneBuilder::camera(const DVec3& from, const DVec3& to, double fovDegrees) {
@@ -54,7 +56,8 @@ Rendering SceneBuilder::render(int threads) const {
 }
 
 Estimate estimateMean(const Image& image, int channel) {
-    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    const auto count =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     double sum = 0, squares = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const double v = image.rgb[3 * i + static_cast<std::size_t>(channel)];
@@ -85,64 +88,76 @@ PixelEstimates estimatePixels(SceneBuilder builder, int seeds) {
     const double n = seeds;
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const double mean = sums[i] / n;
-        out.pixels.push_back({mean, std::sqrt(std::max(0.0, squares[i] / n - mean * mean) / (n - 1))});
+        out.pixels.push_back(
+            {mean, std::sqrt(std::max(0.0, squares[i] / n - mean * mean) / (n - 1))});
     }
     return out;
 }
 
 namespace {
 
-/// What the |z| of `pixels` pixels stay below at alpha = 1e-3 for all: the tail of Student's t with that many degrees of freedom
-/// from the normal bound (Hill 1970, first terms).
+/// What the |z| of `pixels` pixels stay below at alpha = 1e-3 for all: the tail of Student's t with
+/// that many degrees of freedom from the normal bound (Hill 1970, first terms).
 double pixelBound(std::size_t pixels, double freedom) {
     const double alpha = 1e-3 / static_cast<double>(pixels);
     const double z = std::sqrt(-2 * std::log(alpha / 2));
-    return z + (z * z * z + z) / (4 * freedom) + (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / (96 * freedom * freedom);
+    return z + (z * z * z + z) / (4 * freedom) +
+           (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / (96 * freedom * freedom);
 }
 
 }  // namespace
 
 testing::AssertionResult pixelsAre(const std::vector<PixelTest>& pixels, int seeds, double unseen) {
     const double freedom = seeds - 1;
-    if (pixels.empty() || freedom < 15) return testing::AssertionFailure() << "no pixels, or too few seeds for a bound";
+    if (pixels.empty() || freedom < 15)
+        return testing::AssertionFailure() << "no pixels, or too few seeds for a bound";
     double squares = 0, worst = 0, bias = 0, variance = 0, rounding = 0;
     std::size_t noisy = 0;
     for (const PixelTest& p : pixels) {
-        const double floor = 3e-7 * std::abs(p.exact) + 1e-9;  // Pictures, and refractive indices, are rounded to float.
+        const double floor = 3e-7 * std::abs(p.exact) +
+                             1e-9;  // Pictures, and refractive indices, are rounded to float.
         bias += p.estimate - p.exact;
         variance += p.sigma * p.sigma;
         rounding += floor;
         const double error = std::max(0.0, std::abs(p.estimate - p.exact) - floor - unseen);
         if (error == 0) continue;
-        if (!(p.sigma > 0)) return testing::AssertionFailure() << "no noise, yet " << p.estimate << " instead of " << p.exact;
+        if (!(p.sigma > 0))
+            return testing::AssertionFailure()
+                   << "no noise, yet " << p.estimate << " instead of " << p.exact;
         const double z = error / p.sigma;
         squares += z * z;
         worst = std::max(worst, z);
         ++noisy;
     }
     if (!(std::abs(bias) <= 4 * std::sqrt(variance) + rounding))
-        return testing::AssertionFailure() << "the mean over all pixels is " << bias / std::sqrt(variance) << " sigma off";
+        return testing::AssertionFailure()
+               << "the mean over all pixels is " << bias / std::sqrt(variance) << " sigma off";
     if (!(worst <= pixelBound(pixels.size(), freedom)))
-        return testing::AssertionFailure() << "the worst of " << pixels.size() << " pixels is " << worst << " sigma off";
+        return testing::AssertionFailure()
+               << "the worst of " << pixels.size() << " pixels is " << worst << " sigma off";
     const double count = static_cast<double>(noisy), expected = count * freedom / (freedom - 2);
     if (!(squares <= expected * (1 + 6 / std::sqrt(std::max(1.0, count)))))
-        return testing::AssertionFailure() << "the pixels deviate as a whole: " << squares << " instead of " << expected;
+        return testing::AssertionFailure()
+               << "the pixels deviate as a whole: " << squares << " instead of " << expected;
     return testing::AssertionSuccess();
 }
 
-void expectPixels(const std::vector<PixelTest>& pixels, int seeds, double unseen, const std::string& what) {
+void expectPixels(const std::vector<PixelTest>& pixels, int seeds, double unseen,
+                  const std::string& what) {
     EXPECT_TRUE(pixelsAre(pixels, seeds, unseen)) << what;
 }
 
 Rgb pixelAt(const Image& image, int x, int y) {
-    const std::size_t i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+    const std::size_t i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                               static_cast<std::size_t>(x));
     return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
 }
 
 testing::AssertionResult meanIs(const Image& image, double exact) {
     const Estimate e = estimateMean(image);
     const double error = std::abs(e.mean - exact), rounding = 2e-7 * std::abs(exact);
-    const bool right = error <= 4 * e.sigma + rounding && (!fullRun() || error <= 1e-3 * std::abs(exact));
+    const bool right =
+        error <= 4 * e.sigma + rounding && (!fullRun() || error <= 1e-3 * std::abs(exact));
     return (right ? testing::AssertionSuccess() : testing::AssertionFailure())
            << "mean " << e.mean << ", exact " << exact << ", sigma " << e.sigma;
 }

@@ -22,9 +22,11 @@ class SceneBuilder {
 
     template <class M>
     MaterialId material(const M& value) {
-        return scene_.materials.add({"Material " + std::to_string(scene_.materials.size() + 1), value});
+        return scene_.materials.add(
+            {"Material " + std::to_string(scene_.materials.size() + 1), value});
     }
-    ObjectId object(const Shape& shape, MaterialId material, const DVec3& at = DVec3(0.0), const Color& emission = {});
+    ObjectId object(const Shape& shape, MaterialId material, const DVec3& at = DVec3(0.0),
+                    const Color& emission = {});
     void pointLight(const DVec3& at, const Color& intensity);
     /// A camera with the given vertical angle of view.
     void camera(const DVec3& from, const DVec3& to, double fovDegrees);
@@ -38,7 +40,8 @@ class SceneBuilder {
     Scene scene_;
 };
 
-/// Mean of the picture, and the standard error of that mean from the spread over pixels that share one true value.
+/// Mean of the picture, and the standard error of that mean from the spread over pixels that share
+/// one true value.
 struct Estimate {
     double mean = 0, sigma = 0;
 };
@@ -47,7 +50,8 @@ struct PixelEstimates {
     int width = 0, height = 0;
     std::vector<Estimate> pixels;  ///< height x width, row-major
     [[nodiscard]] const Estimate& at(int x, int y) const {
-        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
     }
 };
 [[nodiscard]] PixelEstimates estimatePixels(SceneBuilder builder, int seeds);
@@ -60,15 +64,19 @@ struct PixelEstimates {
 struct PixelTest {
     double estimate = 0, sigma = 0, exact = 0;
 };
-/// Whether (estimate - exact) / sigma over the given pixels behaves as a standard normal should: no |z| beyond the bound of a
-/// whole suite at alpha = 1e-3 (Sidak), and their mean square near 1. Says what it found first.
-/// `unseen`: the most that events too rare to have been sampled could change a pixel by. The mean over all pixels, where such
-/// events are seen, must be within 4 sigma of the exact mean all the same.
-[[nodiscard]] testing::AssertionResult pixelsAre(const std::vector<PixelTest>& pixels, int seeds, double unseen);
+/// Whether (estimate - exact) / sigma over the given pixels behaves as a standard normal should: no
+/// |z| beyond the bound of a whole suite at alpha = 1e-3 (Sidak), and their mean square near 1.
+/// Says what it found first. `unseen`: the most that events too rare to have been sampled could
+/// change a pixel by. The mean over all pixels, where such events are seen, must be within 4 sigma
+/// of the exact mean all the same.
+[[nodiscard]] testing::AssertionResult pixelsAre(const std::vector<PixelTest>& pixels, int seeds,
+                                                 double unseen);
 /// Fails unless pixelsAre().
-void expectPixels(const std::vector<PixelTest>& pixels, int seeds, double unseen, const std::string& what);
+void expectPixels(const std::vector<PixelTest>& pixels, int seeds, double unseen,
+                  const std::string& what);
 
-/// Whether the picture's mean is within 4 sigma of `exact`, and in the full form also within 0.1 %. Says what it found.
+/// Whether the picture's mean is within 4 sigma of `exact`, and in the full form also within 0.1 %.
+/// Says what it found.
 [[nodiscard]] testing::AssertionResult meanIs(const Image& image, double exact);
 
 /// Fails unless meanIs(), and sigma is below 0.1 % of `exact`.

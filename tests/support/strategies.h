@@ -26,12 +26,16 @@ struct BothWhole {
     static double bsdfWeight(double, double) { return 1; }
 };
 
-/// Saves a sky of 64 x 32 texels that is dim but in the texels from `first` to `last`, and answers with the file.
-inline std::string saveSky(const TempFolder& folder, const glm::ivec2& first, const glm::ivec2& last, float radiance) {
+/// Saves a sky of 64 x 32 texels that is dim but in the texels from `first` to `last`, and answers
+/// with the file.
+inline std::string saveSky(const TempFolder& folder, const glm::ivec2& first,
+                           const glm::ivec2& last, float radiance) {
     Image sky{64, 32, {}};
     for (int y = 0; y < sky.height; ++y)
         for (int x = 0; x < sky.width; ++x)
-            for (int c = 0; c < 3; ++c) sky.rgb.push_back(x >= first.x && x <= last.x && y >= first.y && y <= last.y ? radiance : 0.1f);
+            for (int c = 0; c < 3; ++c)
+                sky.rgb.push_back(
+                    x >= first.x && x <= last.x && y >= first.y && y <= last.y ? radiance : 0.1f);
     const auto file = folder / "sky.exr";
     EXPECT_TRUE(saveLinear(file, sky, {}));
     return file.string();
@@ -46,9 +50,13 @@ std::vector<double> pixelMeans(const std::shared_ptr<const RenderScene>& scene, 
     for (int i = 0; i < pixels; ++i) {
         double sum = 0;
         for (int s = 0; s < samples; ++s) {
-            const Sampler sampler = samplerFor(*scene, i % width, i / width, static_cast<std::uint32_t>(s));
+            const Sampler sampler =
+                samplerFor(*scene, i % width, i / width, static_cast<std::uint32_t>(s));
             PathTracer<kAllFeatures, Heuristic, Effort> tracer(state, sampler);
-            sum += static_cast<double>(tracer.radiance(cameraRay<kAllFeatures>(*scene, sampler, i % width, i / width, state.work)).x);
+            sum += static_cast<double>(tracer
+                                           .radiance(cameraRay<kAllFeatures>(
+                                               *scene, sampler, i % width, i / width, state.work))
+                                           .x);
         }
         means.push_back(sum / samples);
     }
@@ -62,9 +70,11 @@ inline Estimate estimateOf(const std::vector<double>& values) {
     return {moments.mean(), std::sqrt(moments.varianceOfMean())};
 }
 
-/// Mean difference of two pictures in units of its own standard error, from the differences pixel by pixel.
+/// Mean difference of two pictures in units of its own standard error, from the differences pixel
+/// by pixel.
 struct Deviation {
-    double sigmas = 0, relativeSigma = 0;  ///< relativeSigma: the standard error over the picture's mean
+    double sigmas = 0,
+           relativeSigma = 0;  ///< relativeSigma: the standard error over the picture's mean
 };
 inline Deviation deviationOf(const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> difference;

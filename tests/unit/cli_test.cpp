@@ -229,12 +229,14 @@ TEST_F(Cli, ExrTellsWhatItShows) {
     const ImageMetadata& metadata = file.value().metadata;
     EXPECT_EQ(metadata.at("glint:seed"), "3");
     EXPECT_EQ(metadata.at("glint:spp"), "4");
-    EXPECT_EQ(metadata.at("glint:sceneHash"), sceneHash(worldOf(loadScene(folder_ / "scene.json").value())));
+    EXPECT_EQ(metadata.at("glint:sceneHash"),
+              sceneHash(worldOf(loadScene(folder_ / "scene.json").value())));
     EXPECT_FALSE(metadata.at("glint:version").empty());
 }
 
 TEST_F(Cli, ClampedPicturesSayThatTheyAreBiased) {
-    const Outcome clamped = run({"scene.json", "-o", "clamped.exr", "--set", "/render/clamp=2"}), whole = run({"scene.json", "-o", "whole.exr"});
+    const Outcome clamped = run({"scene.json", "-o", "clamped.exr", "--set", "/render/clamp=2"}),
+                  whole = run({"scene.json", "-o", "whole.exr"});
     ASSERT_EQ(clamped.code, 0) << clamped.err;
     ASSERT_EQ(whole.code, 0) << whole.err;
     EXPECT_NE(clamped.err.find("biased"), std::string::npos) << clamped.err;
@@ -300,8 +302,14 @@ TEST_F(Cli, ExposureDoublesWithEachStepInDisplayFormatsOnly) {
 
 TEST_F(Cli, VerifyFindsTheSameBitsAgain) {
     const std::vector<std::vector<std::string>> ways{
-        {"a.exr"}, {"b.png", "--bits", "16"}, {"c.jpg", "--spp", "6", "--seed", "9"}, {"d.tif", "--transparent"}, {"e.exr", "--transparent", "--layers", "--bits", "16"},
-        {"f.exr", "--crop", "5,3,10,8", "--size", "40x20", "--integrator", "classic"}, {"g.png", "--exposure", "2", "--transparent"}, {"h.exr", "--time", "0.2", "--spp", "1000000"}};
+        {"a.exr"},
+        {"b.png", "--bits", "16"},
+        {"c.jpg", "--spp", "6", "--seed", "9"},
+        {"d.tif", "--transparent"},
+        {"e.exr", "--transparent", "--layers", "--bits", "16"},
+        {"f.exr", "--crop", "5,3,10,8", "--size", "40x20", "--integrator", "classic"},
+        {"g.png", "--exposure", "2", "--transparent"},
+        {"h.exr", "--time", "0.2", "--spp", "1000000"}};
     for (const auto& way : ways) {
         std::vector<std::string> arguments{"scene.json", "-o"};
         arguments.insert(arguments.end(), way.begin(), way.end());
@@ -314,7 +322,8 @@ TEST_F(Cli, VerifyNamesAChangedPixelOrScene) {
     expect(0, "", {"scene.json", "-o", "a.exr"});
     ExrFile file = loadExr(folder_ / "a.exr").value();
     for (ExrChannel& channel : file.channels)
-        if (channel.name == "G") channel.values[3 * 24 + 7] = std::nextafter(channel.values[3 * 24 + 7], 10.0F);
+        if (channel.name == "G")
+            channel.values[3 * 24 + 7] = std::nextafter(channel.values[3 * 24 + 7], 10.0F);
     ASSERT_TRUE(saveExr(folder_ / "touched.exr", file));
     expect(4, "in 1 of 24 x 16 pixels", {"--verify", "touched.exr", "scene.json"});
     expect(4, "7,3", {"--verify", "touched.exr", "scene.json"});
@@ -322,7 +331,8 @@ TEST_F(Cli, VerifyNamesAChangedPixelOrScene) {
     other.replace(other.find("0.7, 0.1, 0.1"), 13, "0.7, 0.1, 0.2");
     folder_.write("other.json", other);
     expect(4, "another scene", {"--verify", "a.exr", "other.json"});
-    folder_.write("view.json", std::string(kScene).replace(12, 0, R"( "views": [{"position": [1, 2, 3]}],)"));
+    folder_.write("view.json",
+                  std::string(kScene).replace(12, 0, R"( "views": [{"position": [1, 2, 3]}],)"));
     expect(0, "bit for bit", {"--verify", "a.exr", "view.json"});
 }
 
@@ -346,7 +356,8 @@ TEST_F(Cli, TransparentPicturesHaveTheObjectsAsAlpha) {
     EXPECT_EQ(exr.value().channels.at("R")[corner], 0);
     EXPECT_GT(exr.value().channels.at("R")[middle], 0);
     EXPECT_TRUE(std::any_of(alpha.begin(), alpha.end(), [](float a) { return a > 0 && a < 1; }));
-    for (std::size_t i = 0; i < alpha.size(); ++i) EXPECT_NEAR(png.value().channels.at("A")[i], alpha[i], 0.5F / 255 + 1e-6F);
+    for (std::size_t i = 0; i < alpha.size(); ++i)
+        EXPECT_NEAR(png.value().channels.at("A")[i], alpha[i], 0.5F / 255 + 1e-6F);
 }
 
 TEST_F(Cli, FormatsRefuseWhatTheyCannotHold) {

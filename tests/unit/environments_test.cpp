@@ -1,6 +1,6 @@
 // The pictures in resources/env: what the generator promises of them.
-#include "tests/support/paths.h"
 #include "tracer/cli/environments.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,8 @@ std::size_t roundUp(std::size_t bytes, std::size_t to) { return (bytes + to - 1)
 }  // namespace
 
 BlockPool::BlockPool(std::size_t blockBytes, std::size_t expected)
-    : blockBytes_(roundUp(std::max(blockBytes, sizeof(Free)), kAlignment)), slabBytes_(std::max(blockBytes_, std::min(kSlab, blockBytes_ * expected))) {}
+    : blockBytes_(roundUp(std::max(blockBytes, sizeof(Free)), kAlignment)),
+      slabBytes_(std::max(blockBytes_, std::min(kSlab, blockBytes_ * expected))) {}
 
 BlockPool::~BlockPool() {
     for (void* slab : slabs_) munmap(slab, slabBytes_);
@@ -45,10 +46,12 @@ void BlockPool::reserve(std::size_t blocks) {
 
 void BlockPool::grow() {
     slabs_.reserve(slabs_.size() + 1);
-    void* const mapped = mmap(nullptr, slabBytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    void* const mapped =
+        mmap(nullptr, slabBytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (mapped == MAP_FAILED) throw std::bad_alloc();
     slabs_.push_back(mapped);
-    madvise(mapped, slabBytes_, MADV_POPULATE_WRITE);  // A wish: an older kernel gives page by page what is touched.
+    madvise(mapped, slabBytes_,
+            MADV_POPULATE_WRITE);  // A wish: an older kernel gives page by page what is touched.
     auto* const slab = static_cast<std::byte*>(mapped);
     const std::size_t blocks = slabBytes_ / blockBytes_;
     for (std::size_t i = blocks; i-- > 0;) free_ = new (slab + i * blockBytes_) Free{free_};

@@ -1,5 +1,6 @@
-// BlockPool: memory for many blocks of one size. It is taken from the system many pages at a time: films are large, and the first touch
-// of a single page may take longer than a sample. Given back when the pool ends.
+// BlockPool: memory for many blocks of one size. It is taken from the system many pages at a time:
+// films are large, and the first touch of a single page may take longer than a sample. Given back
+// when the pool ends.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +21,8 @@ class BlockPool {
     [[nodiscard]] void* take();
     /// Gives one back. Any thread.
     void give(void* block);
-    /// Takes some memory from the system, a part of a millisecond's, if fewer blocks are free than these. Any thread.
+    /// Takes some memory from the system, a part of a millisecond's, if fewer blocks are free than
+    /// these. Any thread.
     void reserve(std::size_t blocks);
 
   private:

@@ -1,5 +1,6 @@
-// Lock-free hand-over between two threads: Inbox (many writers, one reader takes all) and TripleBuffer (one writer, one
-// reader, newest value wins). Neither side ever waits. Nothing here wakes anybody: see render/session.h for that.
+// Lock-free hand-over between two threads: Inbox (many writers, one reader takes all) and
+// TripleBuffer (one writer, one reader, newest value wins). Neither side ever waits. Nothing here
+// wakes anybody: see render/session.h for that.
 #pragma once
 
 #include <array>
@@ -49,7 +50,8 @@ class Inbox {
     std::atomic<Node*> head_{nullptr};
 };
 
-/// Three slots: the writer fills `back()`, the reader looks at what `take()` gave it, the third is in flight.
+/// Three slots: the writer fills `back()`, the reader looks at what `take()` gave it, the third is
+/// in flight.
 template <class T>
 class TripleBuffer {
   public:
@@ -58,14 +60,17 @@ class TripleBuffer {
 
     /// Writer: makes the back slot the newest one.
     void publish() {
-        // Release: the reader sees the slot's content. Acquire: the slot handed back is no longer being read.
+        // Release: the reader sees the slot's content. Acquire: the slot handed back is no longer
+        // being read.
         back_ = flight_.exchange(back_ | kFresh, std::memory_order_acq_rel) & kIndex;
     }
 
-    /// Reader: the newest value if there is one it has not seen, else null. Valid until the next take().
+    /// Reader: the newest value if there is one it has not seen, else null. Valid until the next
+    /// take().
     T* take() {
         if (!(flight_.load(std::memory_order_relaxed) & kFresh)) return nullptr;
-        front_ = flight_.exchange(front_, std::memory_order_acq_rel) & kIndex;  // Partner: publish().
+        front_ =
+            flight_.exchange(front_, std::memory_order_acq_rel) & kIndex;  // Partner: publish().
         return &slots_[front_];
     }
 

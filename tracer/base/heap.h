@@ -3,8 +3,9 @@
 
 namespace glint {
 
-/// Has the heap keep up to a gigabyte of freed memory for the next who asks, in the place of giving it back to the system:
-/// the first touch of a page may take longer than what is done with it. To be called once, before there are threads.
+/// Has the heap keep up to a gigabyte of freed memory for the next who asks, in the place of giving
+/// it back to the system: the first touch of a page may take longer than what is done with it. To
+/// be called once, before there are threads.
 void keepFreedMemory();
 
 }  // namespace glint

@@ -12,11 +12,13 @@
 
 namespace glint {
 
-/// Begins lists at a cache line, those that fill a huge page at one, and makes the largest of fresh pages.
+/// Begins lists at a cache line, those that fill a huge page at one, and makes the largest of fresh
+/// pages.
 template <class T>
 struct HugePages {
     using value_type = T;
-    static constexpr std::size_t kCacheLine = 64, kHugePage = std::size_t{2} << 20, kFresh = 16 * kHugePage;
+    static constexpr std::size_t kCacheLine = 64, kHugePage = std::size_t{2} << 20,
+                                 kFresh = 16 * kHugePage;
 
     HugePages() = default;
     template <class Other>
@@ -27,7 +29,8 @@ struct HugePages {
         const std::size_t bytes = count * sizeof(T);
         void* const memory = ::operator new(bytes, alignment(bytes));
 #ifdef __linux__
-        // What the system answers changes the speed alone. Pages that the heap had in use before would stay small.
+        // What the system answers changes the speed alone. Pages that the heap had in use before
+        // would stay small.
         if (bytes >= kFresh) madvise(memory, bytes / kHugePage * kHugePage, MADV_DONTNEED);
         if (bytes >= kHugePage) madvise(memory, bytes, MADV_HUGEPAGE);
 #endif

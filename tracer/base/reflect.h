@@ -1,5 +1,6 @@
-// Field tables: one description of each document field, from which come JSON, schema, property panel, undo text and `--set`.
-// A struct lists its fields in `static constexpr auto fields()`; walk them with forEachField().
+// Field tables: one description of each document field, from which come JSON, schema, property
+// panel, undo text and `--set`. A struct lists its fields in `static constexpr auto fields()`; walk
+// them with forEachField().
 #pragma once
 
 #include <array>
@@ -28,23 +29,27 @@ struct Field {
     Member Owner::*member;
     FieldMeta meta;
 
-    constexpr Field(std::string_view n, Member Owner::*m, FieldMeta d = {}) : name(n), member(m), meta(d) {}
+    constexpr Field(std::string_view n, Member Owner::*m, FieldMeta d = {})
+        : name(n), member(m), meta(d) {}
 };
 
 /// Calls `visit(name, meta, value.*member)` for each field in table order.
 template <class T, class Visit>
 constexpr void forEachField(T& value, Visit&& visit) {
-    std::apply([&](const auto&... field) { (visit(field.name, field.meta, value.*field.member), ...); },
-               std::remove_const_t<T>::fields());
+    std::apply(
+        [&](const auto&... field) { (visit(field.name, field.meta, value.*field.member), ...); },
+        std::remove_const_t<T>::fields());
 }
 
-/// A closed list of types; `Variant` holds any one of them. Each type has a `kind`, its name in a file.
+/// A closed list of types; `Variant` holds any one of them. Each type has a `kind`, its name in a
+/// file.
 template <class... Ts>
 struct TypeList {
     using Variant = std::variant<Ts...>;
     static constexpr std::array<std::string_view, sizeof...(Ts)> kinds = {Ts::kind...};
 
-    /// Calls `visit(T{})` with a default value of the type whose kind is `kind`; false if there is none.
+    /// Calls `visit(T{})` with a default value of the type whose kind is `kind`; false if there is
+    /// none.
     template <class Visit>
     static constexpr bool withKind(std::string_view kind, Visit&& visit) {
         return ((Ts::kind == kind ? (visit(Ts{}), true) : false) || ...);

@@ -1,4 +1,5 @@
-// Result<T>: a value, or an Error that a person can act on. For whatever can be wrong in the world: files, fields, flags.
+// Result<T>: a value, or an Error that a person can act on. For whatever can be wrong in the world:
+// files, fields, flags.
 #pragma once
 
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace glint {
 
-/// What is wrong, where, and what to do about it. Parts that do not apply stay empty (line and column 0).
+/// What is wrong, where, and what to do about it. Parts that do not apply stay empty (line and
+/// column 0).
 struct Error {
     std::string message;  ///< what is wrong, without a full stop
     std::string file;     ///< path as the person gave it

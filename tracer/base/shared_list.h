@@ -12,7 +12,8 @@ class SharedList {
   public:
     SharedList() : SharedList(std::vector<T>()) {}
     // A vector is a list that has not been shared yet.
-    SharedList(std::vector<T> values) : list_(std::make_shared<const std::vector<T>>(std::move(values))) {}
+    SharedList(std::vector<T> values)
+        : list_(std::make_shared<const std::vector<T>>(std::move(values))) {}
 
     [[nodiscard]] const T& operator[](std::size_t i) const { return (*list_)[i]; }
     [[nodiscard]] std::size_t size() const { return list_->size(); }

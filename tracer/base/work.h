@@ -36,17 +36,21 @@ enum class Work : std::size_t {
 inline constexpr std::size_t kWorkKinds = static_cast<std::size_t>(Work::KnownHits) + 1;
 /// Names for people and statistics, in the order of Work.
 inline constexpr std::array<std::string_view, kWorkKinds> kWorkNames = {
-    "node_visits",    "ball_blocks",     "box_blocks",    "ball_tests",  "shape_tests",
-    "matrix_tests",   "sky_lookups",     "map_lookups",   "emission_tests", "light_samples",
-    "light_choices",  "mis_weights",     "black_shadow_rays", "shadow_steps", "media_steps",
-    "exponentials",   "rough_lobes",     "delta_lists",   "roulettes",   "lens_samples",
-    "connections",    "highlights",      "known_hits"};
+    "node_visits",   "ball_blocks", "box_blocks",        "ball_tests",     "shape_tests",
+    "matrix_tests",  "sky_lookups", "map_lookups",       "emission_tests", "light_samples",
+    "light_choices", "mis_weights", "black_shadow_rays", "shadow_steps",   "media_steps",
+    "exponentials",  "rough_lobes", "delta_lists",       "roulettes",      "lens_samples",
+    "connections",   "highlights",  "known_hits"};
 
 struct WorkCounts {
     std::array<std::uint64_t, kWorkKinds> of{};
 
-    [[nodiscard]] std::uint64_t& operator[](Work kind) { return of[static_cast<std::size_t>(kind)]; }
-    [[nodiscard]] std::uint64_t operator[](Work kind) const { return of[static_cast<std::size_t>(kind)]; }
+    [[nodiscard]] std::uint64_t& operator[](Work kind) {
+        return of[static_cast<std::size_t>(kind)];
+    }
+    [[nodiscard]] std::uint64_t operator[](Work kind) const {
+        return of[static_cast<std::size_t>(kind)];
+    }
     WorkCounts& operator+=(const WorkCounts& other) {
         for (std::size_t i = 0; i < kWorkKinds; ++i) of[i] += other.of[i];
         return *this;

@@ -96,7 +96,8 @@ std::optional<Error> outputProblem(const Options& options) {
 }
 
 /// The tree of paths on the error stream, the value alone on the other, for programs.
-ExitCode printPixel(const RenderScene& scene, const Scene& document, const SamplePlace& place, bool quiet) {
+ExitCode printPixel(const RenderScene& scene, const Scene& document, const SamplePlace& place,
+                    bool quiet) {
     const PathRecord record = recordSample(scene, place);
     const Rgb value = record.value;
     if (!quiet) std::fputs(pathText(record, document).c_str(), stderr);
@@ -127,7 +128,8 @@ ExitCode renderToFiles(const Options& options, const Scene& scene, const Compile
     }
     reportNonfinite(options, rendering);
     std::string features;
-    for (const std::string& name : featureNames(*compiled.scene)) features += (features.empty() ? "" : ", ") + name;
+    for (const std::string& name : featureNames(*compiled.scene))
+        features += (features.empty() ? "" : ", ") + name;
     Status saved = saveRendering(options.output, scene, rendering, options.picture, features);
     if (saved && !options.stats.empty()) {
         RenderStats stats = statsFor(options, scene, compiled, rendering);
@@ -166,11 +168,14 @@ ExitCode run(const Options& options) {
     if (const auto problem = outputProblem(options)) return fail(*problem, ExitCode::Output);
 
     AssetCache assets;
-    const auto compiled = compile(sceneFor(scene.value(), options.picture), options.scene.parent_path(), assets);
+    const auto compiled =
+        compile(sceneFor(scene.value(), options.picture), options.scene.parent_path(), assets);
     if (!compiled) return fail(compiled.error(), ExitCode::Scene);
     if (reportWarnings(compiled.value())) return ExitCode::Scene;
-    if (options.pixel) return printPixel(*compiled.value().scene, scene.value(), *options.pixel, options.quiet);
-    if (const auto problem = memoryProblem(*compiled.value().scene, requestFor(options.picture))) return fail(*problem, ExitCode::Scene);
+    if (options.pixel)
+        return printPixel(*compiled.value().scene, scene.value(), *options.pixel, options.quiet);
+    if (const auto problem = memoryProblem(*compiled.value().scene, requestFor(options.picture)))
+        return fail(*problem, ExitCode::Scene);
     return renderToFiles(options, scene.value(), compiled.value(), secondsSince(start), stop);
 }
 

@@ -106,9 +106,10 @@ void addProgramOptions(CLI::App& app, Options& options) {
     app.add_flag("--layers", options.picture.layers,
                  "Write light, albedo, normal, depth, position, ids, sample count and error as "
                  "layers of the .exr");
-    app.add_flag("--filter", options.picture.filter,
-                 "Denoise for a preview: the layer filtered of an .exr beside the picture, else the "
-                 "picture itself, which then says so in its metadata");
+    app.add_flag(
+        "--filter", options.picture.filter,
+        "Denoise for a preview: the layer filtered of an .exr beside the picture, else the "
+        "picture itself, which then says so in its metadata");
     app.add_option("--stats", options.stats, "Write statistics as JSON")->type_name("FILE");
     app.add_flag("--quiet", options.quiet, "No progress and no summary");
     app.add_option("--bits", options.picture.bits,
@@ -116,13 +117,15 @@ void addProgramOptions(CLI::App& app, Options& options) {
         ->type_name("N");
     app.add_flag("--transparent", options.picture.transparent,
                  "An alpha channel instead of the environment behind the objects");
-    app.add_option("--verify", options.verify,
-                   "Render a picture that Glint wrote again from its metadata, and compare the bits")
+    app.add_option(
+           "--verify", options.verify,
+           "Render a picture that Glint wrote again from its metadata, and compare the bits")
         ->type_name("PICTURE");
     app.add_flag("--schema", options.schema, "Print the JSON Schema of scene files and end");
     app.set_version_flag("--version", std::string("glint-render ") + GLINT_VERSION);
     app.footer(
-        "Exit codes: 0 done, 1 usage, 2 scene or asset wrong, 3 output cannot be written, 4 --verify "
+        "Exit codes: 0 done, 1 usage, 2 scene or asset wrong, 3 output cannot be written, 4 "
+        "--verify "
         "found a difference, 130 interrupted.");
 }
 

@@ -1,4 +1,5 @@
-// glint-render --verify: renders a picture again from what its metadata says, and compares every bit.
+// glint-render --verify: renders a picture again from what its metadata says, and compares every
+// bit.
 #pragma once
 
 #include <atomic>
@@ -8,7 +9,8 @@
 
 namespace glint {
 
-/// Says on stderr how it came out. Done: the same bits; Different: other bits, or a picture of another scene.
+/// Says on stderr how it came out. Done: the same bits; Different: other bits, or a picture of
+/// another scene.
 [[nodiscard]] ExitCode verifyPicture(const Options& options, const std::atomic<bool>& stop);
 
 }  // namespace glint

@@ -1,4 +1,5 @@
-// From linear light to the screen: a pure function of the film. Changing it never restarts a render.
+// From linear light to the screen: a pure function of the film. Changing it never restarts a
+// render.
 #pragma once
 
 #include <array>
@@ -16,11 +17,13 @@ struct DisplaySettings {
     bool operator==(const DisplaySettings&) const = default;
 };
 
-/// The sRGB transfer curve (IEC 61966-2-1) and its inverse, for values in [0, 1]; outside they clamp.
+/// The sRGB transfer curve (IEC 61966-2-1) and its inverse, for values in [0, 1]; outside they
+/// clamp.
 [[nodiscard]] float srgbFromLinear(float linear);
 [[nodiscard]] float linearFromSrgb(float encoded);
 
-/// Maps linear colours to 8-bit sRGB with one exposure. Made once a frame; apply() is called per pixel from any thread.
+/// Maps linear colours to 8-bit sRGB with one exposure. Made once a frame; apply() is called per
+/// pixel from any thread.
 class DisplayTransform {
   public:
     explicit DisplayTransform(const DisplaySettings& settings);

@@ -168,9 +168,9 @@ class Builder {
     template <class GoesLeft>
     std::pair<Range, Range> part(const Range& r, GoesLeft&& goesLeft) {
         const auto list = shapes_.subspan(r.begin, r.count());
-        const auto middle = r.begin + static_cast<std::uint32_t>(
-                                          std::partition(list.begin(), list.end(), goesLeft) -
-                                          list.begin());
+        const auto middle =
+            r.begin + static_cast<std::uint32_t>(
+                          std::partition(list.begin(), list.end(), goesLeft) - list.begin());
         return {measure(r.begin, middle), measure(middle, r.end)};
     }
 
@@ -250,7 +250,8 @@ class Builder {
         // Claims a part; joining the threads orders the results (relaxed is enough).
         std::atomic<std::size_t> next{0};
         const auto work = [&] {
-            for (std::size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < parts.size();) {
+            for (std::size_t i;
+                 (i = next.fetch_add(1, std::memory_order_relaxed)) < parts.size();) {
                 add(parts[i].tree, parts[i].range);
                 grow(parts[i].tree, 0, parts[i].range, parts[i].depth);
             }
@@ -375,8 +376,9 @@ class Builder {
 /// The largest float up to x.
 float roundDown(double x) {
     const auto near = static_cast<float>(x);
-    return static_cast<double>(near) > x ? std::nextafter(near, -std::numeric_limits<float>::infinity())
-                                         : near;
+    return static_cast<double>(near) > x
+               ? std::nextafter(near, -std::numeric_limits<float>::infinity())
+               : near;
 }
 
 /// The node's planes: whole steps, outwards by the filter's margins (shape_blocks.h).
@@ -413,7 +415,8 @@ void setBoxes(Node8& node, Coordinates coordinates, std::span<const Bounds> chil
 
 /// Coordinate of the plane that many steps from the node's corner.
 double planeAt(const Node8& node, int axis, double steps) {
-    return double{node.cornerHi[axis]} + double{node.cornerLo[axis]} + double{node.step[axis]} * steps;
+    return double{node.cornerHi[axis]} + double{node.cornerLo[axis]} +
+           double{node.step[axis]} * steps;
 }
 
 /// A box around all of the node's children. It depends on them through a margin alone, not on the
@@ -449,14 +452,16 @@ void refit(LargeVector<Node8>& nodes, Coordinates coordinates,
     std::vector<bool> remade(nodes.size());
     for (std::size_t n = nodes.size(); n-- > 0;) {
         Node8& node = nodes[n];
-        const std::span children(node.child, static_cast<std::size_t>(std::popcount(node.children)));
+        const std::span children(node.child,
+                                 static_cast<std::size_t>(std::popcount(node.children)));
         remade[n] = std::ranges::any_of(children, [&](std::uint32_t child) {
             return child & kLeafBit ? isNew(child) : remade[child];
         });
         if (!remade[n]) continue;
         std::array<Bounds, kBlockSize> bounds;
         for (std::size_t i = 0; i < children.size(); ++i)
-            bounds[i] = children[i] & kLeafBit ? leafBounds(children[i]) : allBounds(nodes[children[i]]);
+            bounds[i] =
+                children[i] & kLeafBit ? leafBounds(children[i]) : allBounds(nodes[children[i]]);
         setBoxes(node, coordinates, std::span(bounds).first(children.size()));
     }
 }
@@ -464,7 +469,8 @@ void refit(LargeVector<Node8>& nodes, Coordinates coordinates,
 double boxArea(const LargeVector<Node8>& nodes) {
     double area = 0;
     for (const Node8& node : nodes)
-        for (std::size_t i = 0; i < kBlockSize && node.has(i); ++i) area += childBounds(node, i).area();
+        for (std::size_t i = 0; i < kBlockSize && node.has(i); ++i)
+            area += childBounds(node, i).area();
     return area;
 }
 

@@ -46,9 +46,9 @@ struct Leaf {
 };
 
 struct Hierarchy {
-    /// Without boxes, which refit() makes. Parents come before their children, in large trees the top
-    /// levels before all others (kTopNodes). Children that are leaves name blocks, which are numbered
-    /// by kind in the order of `leaves`.
+    /// Without boxes, which refit() makes. Parents come before their children, in large trees the
+    /// top levels before all others (kTopNodes). Children that are leaves name blocks, which are
+    /// numbered by kind in the order of `leaves`.
     LargeVector<Node8> nodes;
     std::vector<Leaf> leaves;  ///< in the order of their shapes
 };

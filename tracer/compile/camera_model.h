@@ -22,8 +22,9 @@ class CameraModel {
         const DVec3 right = glm::normalize(glm::cross(forward_, camera.up));
         const DVec3 up = glm::cross(right, forward_);
         orthographic_ = camera.projection == Projection::Orthographic;
-        const double halfHeight =
-            orthographic_ ? camera.orthoHeight / 2 : std::tan(degreesToRadians(camera.verticalFovDegrees) / 2);
+        const double halfHeight = orthographic_
+                                      ? camera.orthoHeight / 2
+                                      : std::tan(degreesToRadians(camera.verticalFovDegrees) / 2);
         const double aspect = static_cast<double>(width) / height;
         perPixelX_ = right * (2 * halfHeight * aspect / width);
         perPixelY_ = -up * (2 * halfHeight / height);
@@ -38,7 +39,8 @@ class CameraModel {
     /// Equal ones have the same rays.
     bool operator==(const CameraModel&) const = default;
 
-    /// The ray through film position (x, y), in pixels from the top left corner, and the middle of the lens.
+    /// The ray through film position (x, y), in pixels from the top left corner, and the middle of
+    /// the lens.
     [[nodiscard]] Ray ray(double x, double y) const {
         const Ray middle = unnormalized(x, y);
         return {middle.origin, glm::normalize(middle.direction)};
@@ -51,17 +53,22 @@ class CameraModel {
         return {middle.origin + shift, glm::normalize(middle.direction - shift / focus_)};
     }
 
-    /// What holds the rays of all film positions from (x0, y0) to (x1, y1). Nothing through a lens, whose rays spread.
-    [[nodiscard]] std::optional<RayBundle> bundle(double x0, double y0, double x1, double y1) const {
+    /// What holds the rays of all film positions from (x0, y0) to (x1, y1). Nothing through a lens,
+    /// whose rays spread.
+    [[nodiscard]] std::optional<RayBundle> bundle(double x0, double y0, double x1,
+                                                  double y1) const {
         if (hasLens_) return std::nullopt;
-        const std::array corners{unnormalized(x0, y0), unnormalized(x1, y0), unnormalized(x1, y1), unnormalized(x0, y1)};
+        const std::array corners{unnormalized(x0, y0), unnormalized(x1, y0), unnormalized(x1, y1),
+                                 unnormalized(x0, y1)};
         return RayBundle(corners, unnormalized(0.5 * (x0 + x1), 0.5 * (y0 + y1)));
     }
 
-    /// Half the box about position() in which rays start, for film positions up to `margin` pixels outside the film.
+    /// Half the box about position() in which rays start, for film positions up to `margin` pixels
+    /// outside the film.
     [[nodiscard]] DVec3 reach(double margin) const {
         DVec3 out = absolute(lensX_) + absolute(lensY_);
-        if (orthographic_) out += halfFilm_ + margin * (absolute(perPixelX_) + absolute(perPixelY_));
+        if (orthographic_)
+            out += halfFilm_ + margin * (absolute(perPixelX_) + absolute(perPixelY_));
         return out;
     }
 
@@ -72,10 +79,12 @@ class CameraModel {
   private:
     [[nodiscard]] Ray unnormalized(double x, double y) const {
         const DVec3 offset = corner_ + x * perPixelX_ + y * perPixelY_;
-        return orthographic_ ? Ray{position_ + offset, forward_} : Ray{position_, forward_ + offset};
+        return orthographic_ ? Ray{position_ + offset, forward_}
+                             : Ray{position_, forward_ + offset};
     }
 
-    DVec3 position_{0.0}, forward_{0, 0, -1}, corner_{0.0}, halfFilm_{0.0}, perPixelX_{0.0}, perPixelY_{0.0}, lensX_{0.0}, lensY_{0.0};
+    DVec3 position_{0.0}, forward_{0, 0, -1}, corner_{0.0}, halfFilm_{0.0}, perPixelX_{0.0},
+        perPixelY_{0.0}, lensX_{0.0}, lensY_{0.0};
     double focus_ = 1;
     bool orthographic_ = false, hasLens_ = false;
 };

@@ -11,11 +11,13 @@
 
 namespace glint {
 
-Result<std::shared_ptr<const Image>> AssetCache::image(const std::filesystem::path& path, ColorSpace space, int& loads) {
+Result<std::shared_ptr<const Image>> AssetCache::image(const std::filesystem::path& path,
+                                                       ColorSpace space, int& loads) {
     std::error_code error;
     const auto time = std::filesystem::last_write_time(path, error);
     const auto key = std::pair(path.string(), space);
-    if (const auto found = images_.find(key); !error && found != images_.end() && found->second.time == time)
+    if (const auto found = images_.find(key);
+        !error && found != images_.end() && found->second.time == time)
         return found->second.image;
     auto loaded = loadImage(path, space);
     ++loads;
@@ -56,24 +58,37 @@ std::shared_ptr<const Image> missingImage() {
 
 /// Lengths that geometry can be computed with [m]: their cubes are far from the ends of double.
 constexpr double kLeastLength = 1e-90, kMostLength = 1e90;
-constexpr const char* kLengthRemedy = "scale the scene: lengths from 1e-90 to 1e90 m can be computed with";
+constexpr const char* kLengthRemedy =
+    "scale the scene: lengths from 1e-90 to 1e90 m can be computed with";
 
 [[nodiscard]] double largest(const DVec3& v) { return maxComponent(absolute(v)); }
 
-/// Why no picture can be taken with this camera, if so. Files are checked on loading; this holds for scenes made otherwise.
+/// Why no picture can be taken with this camera, if so. Files are checked on loading; this holds
+/// for scenes made otherwise.
 std::optional<Error> cameraProblem(const Camera& camera) {
     const DVec3 axis = camera.target - camera.position;
     if (!isFinite(axis) || !(largest(axis) > 0))
-        return Error{.message = "the camera has no direction to look in", .pointer = "/camera/target", .remedy = "move its position or its target"};
-    if (largest(axis) < kLeastLength || !(std::max(largest(camera.position), largest(camera.target)) <= kMostLength))
-        return Error{.message = "the camera is too near to its target or too far away", .pointer = "/camera", .remedy = kLengthRemedy};
+        return Error{.message = "the camera has no direction to look in",
+                     .pointer = "/camera/target",
+                     .remedy = "move its position or its target"};
+    if (largest(axis) < kLeastLength ||
+        !(std::max(largest(camera.position), largest(camera.target)) <= kMostLength))
+        return Error{.message = "the camera is too near to its target or too far away",
+                     .pointer = "/camera",
+                     .remedy = kLengthRemedy};
     // Below this sine of the angle between view and up, rounding decides what is right and left.
     constexpr double kSmallestSine = 1e-9;
-    if (!(glm::length(glm::cross(glm::normalize(axis), camera.up)) > kSmallestSine * glm::length(camera.up)))
-        return Error{.message = "the camera's up lies along the view or has no direction", .pointer = "/camera/up", .remedy = "turn it"};
+    if (!(glm::length(glm::cross(glm::normalize(axis), camera.up)) >
+          kSmallestSine * glm::length(camera.up)))
+        return Error{.message = "the camera's up lies along the view or has no direction",
+                     .pointer = "/camera/up",
+                     .remedy = "turn it"};
     const bool perspective = camera.projection == Projection::Perspective;
-    if (perspective ? !(camera.verticalFovDegrees > 0 && camera.verticalFovDegrees < 180) : !(camera.orthoHeight > 0))
-        return Error{.message = "the camera's field of view is empty or too wide", .pointer = "/camera", .remedy = "use an angle above 0 and below 180 degrees"};
+    if (perspective ? !(camera.verticalFovDegrees > 0 && camera.verticalFovDegrees < 180)
+                    : !(camera.orthoHeight > 0))
+        return Error{.message = "the camera's field of view is empty or too wide",
+                     .pointer = "/camera",
+                     .remedy = "use an angle above 0 and below 180 degrees"};
     return std::nullopt;
 }
 
@@ -89,7 +104,8 @@ void findCameraMedia(RenderScene& out) {
         const DVec3 half = out.shapes[i].halfSize();
         return half.x * half.y * half.z;
     };
-    std::stable_sort(around.begin(), around.end(), [&](std::uint32_t a, std::uint32_t b) { return volume(a) > volume(b); });
+    std::stable_sort(around.begin(), around.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return volume(a) > volume(b); });
     out.cameraMedia = {};
     out.cameraBoundaries.clear();
     if (reach != DVec3(0.0)) {
@@ -112,7 +128,8 @@ void setView(RenderScene& out, const Scene& scene) {
 /// One run of compile(): fills `out_` part by part.
 class Compiler {
   public:
-    Compiler(const Scene& scene, const std::filesystem::path& folder, AssetCache& assets, const RenderScene* previous)
+    Compiler(const Scene& scene, const std::filesystem::path& folder, AssetCache& assets,
+             const RenderScene* previous)
         : scene_(scene), folder_(folder), assets_(assets), previous_(previous) {}
 
     Result<Compiled> run() {
@@ -140,8 +157,11 @@ class Compiler {
     }
 
   private:
-    void warn(CompileWarning::Kind kind, std::string pointer, std::string message, std::string remedy = {}) {
-        compiled_.warnings.push_back({kind, Error{.message = std::move(message), .pointer = std::move(pointer), .remedy = std::move(remedy)}});
+    void warn(CompileWarning::Kind kind, std::string pointer, std::string message,
+              std::string remedy = {}) {
+        compiled_.warnings.push_back({kind, Error{.message = std::move(message),
+                                                  .pointer = std::move(pointer),
+                                                  .remedy = std::move(remedy)}});
     }
 
     void addMaterials() {
@@ -149,7 +169,8 @@ class Compiler {
         scene_.materials.forEach([&](MaterialId id, const Material& material) {
             MaterialLeaves leaves = builder.build(id);
             for (const std::string& what : leaves.notBuilt)
-                warn(CompileWarning::Kind::NotBuiltYet, "/materials/" + material.name, "material \"" + material.name + "\": " + what);
+                warn(CompileWarning::Kind::NotBuiltYet, "/materials/" + material.name,
+                     "material \"" + material.name + "\": " + what);
             materialIndex_[id] = static_cast<std::uint32_t>(out_->materials.size());
             out_->materials.push_back(finish(std::move(leaves)));
             out_->materials.back().bit = materialBit(id);
@@ -160,7 +181,9 @@ class Compiler {
 
     /// All of its smooth part is one narrow lobe.
     static bool isNarrow(const BsdfLeaf& leaf) {
-        const auto narrow = [](const auto* lobe) { return lobe && lobe->gloss().alpha <= Gloss::kWidest; };
+        const auto narrow = [](const auto* lobe) {
+            return lobe && lobe->gloss().alpha <= Gloss::kWidest;
+        };
         return narrow(std::get_if<MetalBsdf>(&leaf)) || narrow(std::get_if<PhongBsdf>(&leaf));
     }
 
@@ -173,10 +196,13 @@ class Compiler {
             float chance = 0;
             std::visit(
                 [&]<class Leaf>(const Leaf& leaf) {
-                    if constexpr (Leaf::kSmooth) chance = maxComponent(weighted.weight * leaf.albedo());
+                    if constexpr (Leaf::kSmooth)
+                        chance = maxComponent(weighted.weight * leaf.albedo());
                     if constexpr (Leaf::kDelta) out.hasDelta = true;
                     if constexpr (kIsRough<Leaf>) out.isRough = true;
-                    if constexpr (std::is_same_v<Leaf, ClearBsdf> || std::is_same_v<Leaf, ThinGlassBsdf>) out.straight += weighted.weight;
+                    if constexpr (std::is_same_v<Leaf, ClearBsdf> ||
+                                  std::is_same_v<Leaf, ThinGlassBsdf>)
+                        out.straight += weighted.weight;
                 },
                 weighted.leaf);
             out.pick.push_back(chance);
@@ -194,17 +220,20 @@ class Compiler {
         scene_.objects.forEach([&](ObjectId id, const Object& object) {
             if (!isVisible(scene_, object)) return;
             if (std::holds_alternative<Mesh>(object.shape)) {
-                warn(CompileWarning::Kind::NotBuiltYet, "/objects/" + object.name, "object \"" + object.name + "\": meshes are not drawn yet");
+                warn(CompileWarning::Kind::NotBuiltYet, "/objects/" + object.name,
+                     "object \"" + object.name + "\": meshes are not drawn yet");
                 return;
             }
             const Affine world = worldFromObject(scene_, object);
             const DVec3 half = halfSize(object.shape, world.linear);
             if (!isFinite(world.translation - half) || !isFinite(world.translation + half)) {
-                warn(CompileWarning::Kind::Ignored, "/objects/" + object.name, "object \"" + object.name + "\" is left out: its place or size is not finite",
+                warn(CompileWarning::Kind::Ignored, "/objects/" + object.name,
+                     "object \"" + object.name + "\" is left out: its place or size is not finite",
                      "correct its transform and its shape");
                 return;
             }
-            if (std::max(largest(world.translation), largest(half)) > kMostLength) return warnOfLength(object);
+            if (std::max(largest(world.translation), largest(half)) > kMostLength)
+                return warnOfLength(object);
             placed.emplace_back(id, world);
             if (!std::holds_alternative<Plane>(object.shape)) bounds.add(world.translation, half);
         });
@@ -219,16 +248,23 @@ class Compiler {
     static DVec3 halfSize(const Shape& shape, const DMat3& linear) {
         const DVec3 half = std::visit(
             []<class S>(const S& s) -> DVec3 {
-                if constexpr (std::is_same_v<S, Mesh>) return DVec3(0.0);
-                else if constexpr (std::is_same_v<S, Torus>) return {s.majorRadius + s.minorRadius, s.minorRadius, s.majorRadius + s.minorRadius};
-                else if constexpr (std::is_same_v<S, Quad> || std::is_same_v<S, Disk>) return DVec3(1, 0, 1) * s.halfExtents();
-                else return s.halfExtents();
+                if constexpr (std::is_same_v<S, Mesh>)
+                    return DVec3(0.0);
+                else if constexpr (std::is_same_v<S, Torus>)
+                    return {s.majorRadius + s.minorRadius, s.minorRadius,
+                            s.majorRadius + s.minorRadius};
+                else if constexpr (std::is_same_v<S, Quad> || std::is_same_v<S, Disk>)
+                    return DVec3(1, 0, 1) * s.halfExtents();
+                else
+                    return s.halfExtents();
             },
             shape);
-        return absolute(linear[0]) * half.x + absolute(linear[1]) * half.y + absolute(linear[2]) * half.z;
+        return absolute(linear[0]) * half.x + absolute(linear[1]) * half.y +
+               absolute(linear[2]) * half.z;
     }
 
-    void addShape(ObjectId id, const Object& object, const Affine& world, std::vector<ShapeInstance>& to) {
+    void addShape(ObjectId id, const Object& object, const Affine& world,
+                  std::vector<ShapeInstance>& to) {
         ShapeInstance instance;
         instance.object = id;
         DVec3 half(1.0);
@@ -245,10 +281,12 @@ class Compiler {
         DMat3 linear = world.linear;
         for (int axis = 0; axis < 3; ++axis) linear[axis] *= half[axis];
         for (int axis = 0; axis < 3; ++axis)
-            if (const double length = largest(linear[axis]); length > 0 && length < kLeastLength) return warnOfLength(object);
+            if (const double length = largest(linear[axis]); length > 0 && length < kLeastLength)
+                return warnOfLength(object);
         const auto localFromWorld = inverse(Affine{linear, DVec3(0.0)});
         if (!localFromWorld) {
-            warn(CompileWarning::Kind::Ignored, "/objects/" + object.name, "object \"" + object.name + "\" is left out: its transform cannot be inverted",
+            warn(CompileWarning::Kind::Ignored, "/objects/" + object.name,
+                 "object \"" + object.name + "\" is left out: its transform cannot be inverted",
                  "give it a scale that is not 0");
             return;
         }
@@ -260,22 +298,27 @@ class Compiler {
         instance.material = material == materialIndex_.end() ? black_ : material->second;
         instance.dielectric = closed && out_->materials[instance.material].dielectric;
         const auto index = static_cast<std::uint32_t>(to.size());
-        if (const Rgb emission = toRgb(object.emission); !isBlack(emission) && !std::holds_alternative<Plane>(object.shape)) {
+        if (const Rgb emission = toRgb(object.emission);
+            !isBlack(emission) && !std::holds_alternative<Plane>(object.shape)) {
             instance.light = static_cast<std::uint32_t>(out_->lights.lights.size());
             const double area = std::pow(std::cbrt(glm::determinant(linear)), 2);
-            out_->lights.lights.push_back({.kind = LightKind::Area,
-                                           .emission = emission,
-                                           .shape = index,
-                                           .twoSided = object.twoSided,
-                                           .power = static_cast<double>(luminance(emission)) * 4 * kPi * area,
-                                           .group = groups_.of(id)});
+            out_->lights.lights.push_back(
+                {.kind = LightKind::Area,
+                 .emission = emission,
+                 .shape = index,
+                 .twoSided = object.twoSided,
+                 .power = static_cast<double>(luminance(emission)) * 4 * kPi * area,
+                 .group = groups_.of(id)});
         }
         to.push_back(instance);
     }
 
-    /// The previous scene's lists where its shapes are the same, else its hierarchy where they have moved.
+    /// The previous scene's lists where its shapes are the same, else its hierarchy where they have
+    /// moved.
     void addLists() {
-        const auto coincide = [](const ShapeInstance& a, const ShapeInstance& b) { return a.coincides(b); };
+        const auto coincide = [](const ShapeInstance& a, const ShapeInstance& b) {
+            return a.coincides(b);
+        };
         if (previous_ && std::ranges::equal(out_->shapes, previous_->shapes, coincide)) {
             out_->lists = previous_->lists;
             return;
@@ -283,28 +326,38 @@ class Compiler {
         std::optional<ShapeLists> moved;
         if (previous_) moved = previous_->lists->moved(previous_->shapes, out_->shapes);
         ++(moved ? compiled_.stats.shapeListsRefitted : compiled_.stats.shapeListsBuilt);
-        out_->lists = std::make_shared<const ShapeLists>(moved ? std::move(*moved) : ShapeLists(out_->shapes));
+        out_->lists = std::make_shared<const ShapeLists>(moved ? std::move(*moved)
+                                                               : ShapeLists(out_->shapes));
     }
 
     /// The previous ones where neither shapes nor lights have moved.
     void addLightBuffers() {
         const auto inPlace = [](const CompiledLight& a, const CompiledLight& b) {
-            return a.kind == b.kind && a.position == b.position && a.direction == b.direction && a.sin2Angle == b.sin2Angle && a.shape == b.shape;
+            return a.kind == b.kind && a.position == b.position && a.direction == b.direction &&
+                   a.sin2Angle == b.sin2Angle && a.shape == b.shape;
         };
-        const bool same = previous_ && previous_->lists == out_->lists && std::ranges::equal(out_->lights.lights, previous_->lights.lights, inPlace);
-        out_->lightBuffers = same ? previous_->lightBuffers : LightBuffers(out_->lights, out_->shapes, *out_->lists);
+        const bool same =
+            previous_ && previous_->lists == out_->lists &&
+            std::ranges::equal(out_->lights.lights, previous_->lights.lights, inPlace);
+        out_->lightBuffers =
+            same ? previous_->lightBuffers : LightBuffers(out_->lights, out_->shapes, *out_->lists);
     }
 
     void warnOfLength(const Object& object) {
         warn(CompileWarning::Kind::Ignored, "/objects/" + object.name,
-             "object \"" + object.name + "\" is left out: it is too small, too large or too far away", kLengthRemedy);
+             "object \"" + object.name +
+                 "\" is left out: it is too small, too large or too far away",
+             kLengthRemedy);
     }
 
     void addLights() {
         scene_.lights.forEach([&](LightId id, const Light& light) {
             const std::size_t first = out_->lights.lights.size();
-            if (light.visible) std::visit([&](const auto& value) { addLight(value, groups_.of(id)); }, light.value);
-            for (std::size_t i = first; i < out_->lights.lights.size(); ++i) out_->lights.lights[i].id = id;
+            if (light.visible)
+                std::visit([&](const auto& value) { addLight(value, groups_.of(id)); },
+                           light.value);
+            for (std::size_t i = first; i < out_->lights.lights.size(); ++i)
+                out_->lights.lights[i].id = id;
         });
     }
     void addLight(const PointLight& light, std::uint8_t group) {
@@ -318,29 +371,36 @@ class Compiler {
     void addLight(const SpotLight& light, std::uint8_t group) {
         const DVec3 axis = light.target - light.position;
         if (isBlack(light.intensity) || !(glm::length(axis) > 0)) return;
-        const double outer = degreesToRadians(light.coneDegrees / 2), inner = outer * (1 - light.blend);
-        out_->lights.lights.push_back({.kind = LightKind::Spot,
-                                       .position = light.position - out_->origin,
-                                       .direction = glm::normalize(axis),
-                                       .intensity = toVector(light.intensity),
-                                       .cosInner = static_cast<float>(std::cos(inner)),
-                                       .cosOuter = static_cast<float>(std::cos(outer)),
-                                       .power = 2 * kPi * (1 - std::cos(outer)) * luminance(light.intensity),
-                                       .group = group});
+        const double outer = degreesToRadians(light.coneDegrees / 2),
+                     inner = outer * (1 - light.blend);
+        out_->lights.lights.push_back(
+            {.kind = LightKind::Spot,
+             .position = light.position - out_->origin,
+             .direction = glm::normalize(axis),
+             .intensity = toVector(light.intensity),
+             .cosInner = static_cast<float>(std::cos(inner)),
+             .cosOuter = static_cast<float>(std::cos(outer)),
+             .power = 2 * kPi * (1 - std::cos(outer)) * luminance(light.intensity),
+             .group = group});
     }
-    void addLight(const SunLight& light, std::uint8_t group) { addSun(light.direction, toRgb(light.irradiance), light.angleDegrees, group); }
+    void addLight(const SunLight& light, std::uint8_t group) {
+        addSun(light.direction, toRgb(light.irradiance), light.angleDegrees, group);
+    }
 
     /// `direction`: of travel.
-    void addSun(const DVec3& direction, const Rgb& irradiance, double angleDegrees, std::uint8_t group) {
+    void addSun(const DVec3& direction, const Rgb& irradiance, double angleDegrees,
+                std::uint8_t group) {
         if (isBlack(irradiance) || !(glm::length(direction) > 0)) return;
         const double sine = std::sin(degreesToRadians(angleDegrees / 2)), sin2 = sine * sine;
-        if (sin2 > 0) out_->lights.sunDiscs.push_back(static_cast<std::uint32_t>(out_->lights.lights.size()));
-        out_->lights.lights.push_back({.kind = LightKind::Sun,
-                                       .direction = -glm::normalize(direction),
-                                       .emission = sin2 > 0 ? irradiance * static_cast<float>(1 / (kPi * sin2)) : irradiance,
-                                       .sin2Angle = sin2,
-                                       .power = static_cast<double>(luminance(irradiance)) * skyArea(),
-                                       .group = group});
+        if (sin2 > 0)
+            out_->lights.sunDiscs.push_back(static_cast<std::uint32_t>(out_->lights.lights.size()));
+        out_->lights.lights.push_back(
+            {.kind = LightKind::Sun,
+             .direction = -glm::normalize(direction),
+             .emission = sin2 > 0 ? irradiance * static_cast<float>(1 / (kPi * sin2)) : irradiance,
+             .sin2Angle = sin2,
+             .power = static_cast<double>(luminance(irradiance)) * skyArea(),
+             .group = group});
     }
 
     void addEnvironment() {
@@ -353,12 +413,15 @@ class Compiler {
         out.group = groups_.ofEnvironment();
         std::shared_ptr<const Image> image;
         if (!e.image.empty()) {
-            auto loaded = assets_.image(folder_ / e.image, ColorSpace::Auto, compiled_.stats.imagesLoaded);
+            auto loaded =
+                assets_.image(folder_ / e.image, ColorSpace::Auto, compiled_.stats.imagesLoaded);
             if (!loaded.ok()) {
                 Error error = loaded.error();
                 error.pointer = "/environment/image";
-                if (error.remedy.empty()) error.remedy = "correct the path; it is relative to the scene file";
-                compiled_.warnings.push_back({CompileWarning::Kind::MissingAsset, std::move(error)});
+                if (error.remedy.empty())
+                    error.remedy = "correct the path; it is relative to the scene file";
+                compiled_.warnings.push_back(
+                    {CompileWarning::Kind::MissingAsset, std::move(error)});
             }
             image = loaded.ok() ? loaded.value() : missingImage();
         } else if (e.sky) {
@@ -368,13 +431,17 @@ class Compiler {
         out.scale = tint * static_cast<float>(e.intensity);
         if (e.sky && e.image.empty()) {
             const SkySun sun = skySun(*e.sky);
-            addSun(-out.worldFromMap(sun.direction), sun.irradiance * out.scale, sun.angleDegrees, out.group);
+            addSun(-out.worldFromMap(sun.direction), sun.irradiance * out.scale, sun.angleDegrees,
+                   out.group);
         }
         if (!image || out.isBlack()) return;
         out.map = reusedMap(image);
         out_->lights.environmentLight = static_cast<std::uint32_t>(out_->lights.lights.size());
         out_->lights.lights.push_back(
-            {.kind = LightKind::Environment, .power = kPi * static_cast<double>(luminance(out.scale * out.map->meanRadiance())) * skyArea(), .group = out.group});
+            {.kind = LightKind::Environment,
+             .power = kPi * static_cast<double>(luminance(out.scale * out.map->meanRadiance())) *
+                      skyArea(),
+             .group = out.group});
     }
 
     /// The previous scene's map where it was made from the same picture.
@@ -390,7 +457,9 @@ class Compiler {
         double radius2 = 0;
         for (const ShapeInstance& shape : out_->shapes) {
             if (std::holds_alternative<CanonicalPlane>(shape.shape)) continue;
-            const DVec3 reach = absolute(shape.center) + absolute(shape.worldFromLocal[0]) + absolute(shape.worldFromLocal[1]) + absolute(shape.worldFromLocal[2]);
+            const DVec3 reach = absolute(shape.center) + absolute(shape.worldFromLocal[0]) +
+                                absolute(shape.worldFromLocal[1]) +
+                                absolute(shape.worldFromLocal[2]);
             radius2 = std::max(radius2, glm::dot(reach, reach));
         }
         return kPi * (radius2 > 0 ? radius2 : 1.0);
@@ -401,7 +470,8 @@ class Compiler {
         if (!mediaMayMatch(*out_)) return;
         if (mostMediaAtOnePlace(*out_, MediaStack::kCapacity) > MediaStack::kCapacity)
             warn(CompileWarning::Kind::Ignored, "/objects",
-                 "more than " + std::to_string(MediaStack::kCapacity) + " dielectrics may overlap at one place; rays follow the last " +
+                 "more than " + std::to_string(MediaStack::kCapacity) +
+                     " dielectrics may overlap at one place; rays follow the last " +
                      std::to_string(MediaStack::kCapacity) + " that they enter",
                  "nest fewer of them");
         for (CompiledMaterial& material : out_->materials)
@@ -410,7 +480,9 @@ class Compiler {
 
     void findFeatures() {
         Features& f = out_->features;
-        const auto add = [&](Feature feature, bool present) { f |= present ? static_cast<Features>(feature) : 0u; };
+        const auto add = [&](Feature feature, bool present) {
+            f |= present ? static_cast<Features>(feature) : 0u;
+        };
         for (const ShapeInstance& shape : out_->shapes) {
             const CompiledMaterial& material = out_->materials[shape.material];
             add(Feature::Smooth, material.hasSmooth());
@@ -423,7 +495,8 @@ class Compiler {
             add(Feature::DeltaLights, light.isDelta());
             add(Feature::AreaLights, light.kind == LightKind::Area);
             add(Feature::Sky, light.kind == LightKind::Sun && !light.isDelta());
-            add(Feature::SampledSky, light.kind == LightKind::Environment || (light.kind == LightKind::Sun && !light.isDelta()));
+            add(Feature::SampledSky, light.kind == LightKind::Environment ||
+                                         (light.kind == LightKind::Sun && !light.isDelta()));
         }
         add(Feature::Sky, !out_->lights.environment.isBlack());
         add(Feature::Casters, !out_->casters.empty());
@@ -432,7 +505,9 @@ class Compiler {
 
     void warnOfSettings() {
         if (scene_.render.clamp > 0)
-            warn(CompileWarning::Kind::Ignored, "/render/clamp", "the picture is biased: samples are clamped", "set clamp to 0 for an unbiased one");
+            warn(CompileWarning::Kind::Ignored, "/render/clamp",
+                 "the picture is biased: samples are clamped",
+                 "set clamp to 0 for an unbiased one");
     }
 
     const Scene& scene_;
@@ -448,17 +523,19 @@ class Compiler {
 
 }  // namespace
 
-Result<Compiled> compile(const Scene& scene, const std::filesystem::path& assetFolder, AssetCache& assets,
-                         const std::shared_ptr<const RenderScene>& previous) {
+Result<Compiled> compile(const Scene& scene, const std::filesystem::path& assetFolder,
+                         AssetCache& assets, const std::shared_ptr<const RenderScene>& previous) {
     return Compiler(scene, assetFolder, assets, previous.get()).run();
 }
 
 bool sameButView(const Scene& a, const Scene& b) {
-    return a.objects == b.objects && a.groups == b.groups && a.materials == b.materials && a.textures == b.textures && a.lights == b.lights &&
-           a.environment == b.environment && a.render == b.render;
+    return a.objects == b.objects && a.groups == b.groups && a.materials == b.materials &&
+           a.textures == b.textures && a.lights == b.lights && a.environment == b.environment &&
+           a.render == b.render;
 }
 
-Result<std::shared_ptr<const RenderScene>> withView(const RenderScene& compiled, const Scene& scene) {
+Result<std::shared_ptr<const RenderScene>> withView(const RenderScene& compiled,
+                                                    const Scene& scene) {
     if (auto problem = cameraProblem(scene.viewCamera())) return std::move(*problem);
     auto out = std::make_shared<RenderScene>(compiled);
     setView(*out, scene);

@@ -1,7 +1,7 @@
-// LightBuffers: which shapes may lie between a light and a point, by the direction in which the light
-// sees the point (Haines and Greenberg, "The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A
-// 6(9), 1986). Lights may have a size: what is seen from their middle is widened by their radius.
-// Start reading at between().
+// LightBuffers: which shapes may lie between a light and a point, by the direction in which the
+// light sees the point (Haines and Greenberg, "The Light Buffer: A Shadow-Testing Accelerator",
+// IEEE CG&A 6(9), 1986). Lights may have a size: what is seen from their middle is widened by their
+// radius. Start reading at between().
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class LightBuffer {
   private:
     static constexpr int kSide = 8;  ///< cells along an edge of a face of the cube around a light
     static constexpr std::uint16_t kAny = 0xffff;  ///< a cell from which any shape may be met
-    static constexpr int kFarSide = 16;  ///< ... of the square before one infinitely far
+    static constexpr int kFarSide = 16;            ///< ... of the square before one infinitely far
     /// Rays to a light infinitely far away are followed from at most so many times the scene's
     /// reach before it.
     static constexpr double kDepth = 2;
@@ -73,7 +73,7 @@ class LightBuffer {
 
     LightPlace place_;
     double reach_;
-    DVec3 across_{0.0}, up_{0.0};  ///< infinitely far: the square's axes
+    DVec3 across_{0.0}, up_{0.0};       ///< infinitely far: the square's axes
     std::vector<FewShapes> few_{1};     ///< the first is empty
     std::vector<std::uint16_t> cells_;  ///< which of these, or kAny
 };

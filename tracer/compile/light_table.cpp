@@ -11,12 +11,14 @@ namespace {
 /// Of a lamp that is a ball. A dielectric's boundary is met by the media's rules.
 double lampRadius(const ShapeInstance& shape) { return shape.dielectric ? 0 : ballRadius(shape); }
 
-/// A ray that starts on the ball meets it again only on its way through. The density is that of sphereDirectionPdf() at the same
-/// place, whichever side of the surface rounding has put it on.
-LightSample sampleBall(const CompiledLight& light, const ShapeInstance& ball, double radius, const Ray& from, const DVec2& u) {
+/// A ray that starts on the ball meets it again only on its way through. The density is that of
+/// sphereDirectionPdf() at the same place, whichever side of the surface rounding has put it on.
+LightSample sampleBall(const CompiledLight& light, const ShapeInstance& ball, double radius,
+                       const Ray& from, const DVec2& u) {
     const DVec3 toCenter = ball.center - from.origin;
     const double r2 = radius * radius;
-    const bool onIt = from.fromShape == light.shape, inside = onIt || glm::dot(toCenter, toCenter) <= r2;
+    const bool onIt = from.fromShape == light.shape,
+               inside = onIt || glm::dot(toCenter, toCenter) <= r2;
     if (inside && !light.twoSided) return {};
     const DirectionSample s = sampleSphereDirection(toCenter, radius, u);
     const double along = glm::dot(toCenter, s.direction);
@@ -27,7 +29,8 @@ LightSample sampleBall(const CompiledLight& light, const ShapeInstance& ball, do
     return {s.direction, distance, light.emission, s.pdf, light.shape};
 }
 
-LightSample sampleRectangle(const CompiledLight& light, const ShapeInstance& shape, const Ray& from, const DVec2& u) {
+LightSample sampleRectangle(const CompiledLight& light, const ShapeInstance& shape, const Ray& from,
+                            const DVec2& u) {
     if (from.fromShape == light.shape) return {};
     const QuadLight quad(shape, from.origin);
     if (!light.twoSided && !quad.seenFromFront()) return {};
@@ -36,8 +39,10 @@ LightSample sampleRectangle(const CompiledLight& light, const ShapeInstance& sha
     return {s.direction, s.distance, light.emission, s.pdf, light.shape};
 }
 
-/// What comes along a ray that was drawn with density `pdf` from the first face of a lamp that it meets.
-LightSample meet(const CompiledLight& light, const ShapeInstance& shape, const Ray& ray, const MediaStack& media, double pdf) {
+/// What comes along a ray that was drawn with density `pdf` from the first face of a lamp that it
+/// meets.
+LightSample meet(const CompiledLight& light, const ShapeInstance& shape, const Ray& ray,
+                 const MediaStack& media, double pdf) {
     const Crossing hit = hitShape(shape, light.shape, ray, media);
     if (!hit.found()) return {};
     if (!light.twoSided) {
@@ -55,12 +60,12 @@ LightSample meet(const CompiledLight& light, const ShapeInstance& shape, const R
 }
 
 /// Any shape, by its own sampling.
-LightSample sampleArea(const CompiledLight& light, const ShapeInstance& shape, const Ray& from, const MediaStack& media,
-                       const DVec2& u) {
+LightSample sampleArea(const CompiledLight& light, const ShapeInstance& shape, const Ray& from,
+                       const MediaStack& media, const DVec2& u) {
     const DVec3 localOrigin = shape.localPoint(from.origin);
     const Viewpoint view(localOrigin, shape.worldFromLocal);
-    const DirectionSample s =
-        std::visit([&](const auto& canonical) { return canonical.sampleDirection(view, u); }, shape.shape);
+    const DirectionSample s = std::visit(
+        [&](const auto& canonical) { return canonical.sampleDirection(view, u); }, shape.shape);
     if (!(s.pdf > 0)) return {};
     Ray ray = from;
     ray.direction = glm::normalize(shape.worldFromLocal * s.direction);
@@ -70,29 +75,43 @@ LightSample sampleArea(const CompiledLight& light, const ShapeInstance& shape, c
 /// Wider than the spot by what its cosines in float and the sums of angles may be wrong.
 LightAim aimOfSpot(const CompiledLight& spot) {
     constexpr double kMargin = 1e-6;
-    const double inner = std::acos(static_cast<double>(spot.cosInner)), outer = std::acos(static_cast<double>(spot.cosOuter));
+    const double inner = std::acos(static_cast<double>(spot.cosInner)),
+                 outer = std::acos(static_cast<double>(spot.cosOuter));
     return {spot.direction, inner, std::cos(outer - inner) - kMargin};
 }
 
-/// Where a light is, and about what irradiance it gives at 1 m, or at any distance if it is infinitely far.
-LightBounds boundsOf(const CompiledLight& light, const CompiledEnvironment& environment, const std::vector<ShapeInstance>& shapes) {
+/// Where a light is, and about what irradiance it gives at 1 m, or at any distance if it is
+/// infinitely far.
+LightBounds boundsOf(const CompiledLight& light, const CompiledEnvironment& environment,
+                     const std::vector<ShapeInstance>& shapes) {
     const double emission = static_cast<double>(luminance(light.emission));
     switch (light.kind) {
-        case LightKind::Point: return {light.position, 0, luminance(light.intensity)};
-        case LightKind::Spot: return {light.position, 0, luminance(light.intensity), aimOfSpot(light)};
+        case LightKind::Point:
+            return {light.position, 0, luminance(light.intensity)};
+        case LightKind::Spot:
+            return {light.position, 0, luminance(light.intensity), aimOfSpot(light)};
         case LightKind::Sun:
-            return {DVec3(0.0), kInfinity, light.isDelta() ? emission : emission * kPi * light.sin2Angle,
-                    LightAim(-light.direction, std::asin(std::sqrt(std::min(1.0, light.sin2Angle))), 0)};
-        case LightKind::Environment: return {DVec3(0.0), kInfinity, kPi * static_cast<double>(luminance(environment.scale * environment.map->meanRadiance()))};
-        case LightKind::Area: break;
+            return {DVec3(0.0), kInfinity,
+                    light.isDelta() ? emission : emission * kPi * light.sin2Angle,
+                    LightAim(-light.direction, std::asin(std::sqrt(std::min(1.0, light.sin2Angle))),
+                             0)};
+        case LightKind::Environment:
+            return {DVec3(0.0), kInfinity,
+                    kPi * static_cast<double>(
+                              luminance(environment.scale * environment.map->meanRadiance()))};
+        case LightKind::Area:
+            break;
     }
     const ShapeInstance& shape = shapes[light.shape];
     const DMat3& m = shape.worldFromLocal;
     if (const double area = flatArea(shape); area > 0 && !light.twoSided) {
         const DVec3 normal = glm::normalize(DVec3(0, 1, 0) * shape.localFromWorld);  // (M^-1)^T n
-        return {shape.center, std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[2], m[2])), emission * area, LightAim(normal, 0, 0)};
+        return {shape.center, std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[2], m[2])),
+                emission * area, LightAim(normal, 0, 0)};
     }
-    const double ball = lampRadius(shape), reach = std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+    const double ball = lampRadius(shape),
+                 reach =
+                     std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
     return {shape.center, ball > 0 ? ball : reach, light.power / 4};
 }
 
@@ -111,24 +130,28 @@ double ballRadius(const ShapeInstance& shape) {
     const DMat3& m = shape.worldFromLocal;
     const double r2 = glm::dot(m[0], m[0]);
     const auto near = [r2](double x, double y) { return std::abs(x - y) <= 4e-16 * r2; };
-    const bool isBall = near(glm::dot(m[1], m[1]), r2) && near(glm::dot(m[2], m[2]), r2) && near(glm::dot(m[0], m[1]), 0) &&
-                        near(glm::dot(m[0], m[2]), 0) && near(glm::dot(m[1], m[2]), 0);
+    const bool isBall = near(glm::dot(m[1], m[1]), r2) && near(glm::dot(m[2], m[2]), r2) &&
+                        near(glm::dot(m[0], m[1]), 0) && near(glm::dot(m[0], m[2]), 0) &&
+                        near(glm::dot(m[1], m[2]), 0);
     return isBall ? std::sqrt(r2) : 0;
 }
 
 void LightTable::finish(const std::vector<ShapeInstance>& shapes) {
     std::vector<LightBounds> bounds;
     bounds.reserve(lights.size());
-    for (const CompiledLight& light : lights) bounds.push_back(boundsOf(light, environment, shapes));
+    for (const CompiledLight& light : lights)
+        bounds.push_back(boundsOf(light, environment, shapes));
     choice = LightChoice(std::move(bounds));
 }
 
-LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index,
-                        const Ray& from, const MediaStack& media, const DVec2& u) {
+LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstance>& shapes,
+                        std::uint32_t index, const Ray& from, const MediaStack& media,
+                        const DVec2& u) {
     const CompiledLight& light = lights.lights[index];
     switch (light.kind) {
         case LightKind::Point:
-        case LightKind::Spot: return sampleDelta(light, from.origin);
+        case LightKind::Spot:
+            return sampleDelta(light, from.origin);
         case LightKind::Sun: {
             if (light.isDelta()) return sampleDelta(light, from.origin);
             const DirectionSample s = uniformCone(light.direction, light.sin2Angle, u);
@@ -136,7 +159,8 @@ LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstanc
         }
         case LightKind::Area: {
             const ShapeInstance& shape = shapes[light.shape];
-            if (const double radius = lampRadius(shape); radius > 0) return sampleBall(light, shape, radius, from, u);
+            if (const double radius = lampRadius(shape); radius > 0)
+                return sampleBall(light, shape, radius, from, u);
             if (isRectangle(shape)) return sampleRectangle(light, shape, from, u);
             return sampleArea(light, shape, from, media, u);
         }
@@ -144,39 +168,52 @@ LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstanc
             const CompiledEnvironment& environment = lights.environment;
             const EnvironmentSample s = environment.map->sample(Vec2(u));
             if (!(s.pdf > 0)) return {};
-            return {environment.worldFromMap(s.direction), kInfinity, environment.scale * s.radiance, s.pdf};
+            return {environment.worldFromMap(s.direction), kInfinity,
+                    environment.scale * s.radiance, s.pdf};
         }
     }
     return {};
 }
 
-LightSample lightAlong(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index, const Ray& ray, const MediaStack& media) {
+LightSample lightAlong(const LightTable& lights, const std::vector<ShapeInstance>& shapes,
+                       std::uint32_t index, const Ray& ray, const MediaStack& media) {
     const CompiledLight& light = lights.lights[index];
     const double pdf = lightPdf(lights, shapes, index, ray.origin, ray.direction);
     switch (light.kind) {
-        case LightKind::Area: return meet(light, shapes[light.shape], ray, media, pdf);
-        case LightKind::Sun: return {ray.direction, kInfinity, light.discHolds(ray.direction) ? light.emission : Rgb(0.0f), pdf};
-        case LightKind::Environment: return {ray.direction, kInfinity, lights.environment.radiance(ray.direction), pdf};
-        default: return {};
+        case LightKind::Area:
+            return meet(light, shapes[light.shape], ray, media, pdf);
+        case LightKind::Sun:
+            return {ray.direction, kInfinity,
+                    light.discHolds(ray.direction) ? light.emission : Rgb(0.0f), pdf};
+        case LightKind::Environment:
+            return {ray.direction, kInfinity, lights.environment.radiance(ray.direction), pdf};
+        default:
+            return {};
     }
 }
 
-double lightPdf(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index, const DVec3& from,
-                const DVec3& wi) {
+double lightPdf(const LightTable& lights, const std::vector<ShapeInstance>& shapes,
+                std::uint32_t index, const DVec3& from, const DVec3& wi) {
     const CompiledLight& light = lights.lights[index];
     switch (light.kind) {
         case LightKind::Point:
-        case LightKind::Spot: return 0;
-        case LightKind::Sun: return light.sin2Angle == 0 ? 0 : 1 / coneSolidAngle(light.sin2Angle);
-        case LightKind::Environment: return lights.environment.map->pdf(lights.environment.mapFromWorld(wi));
-        case LightKind::Area: break;
+        case LightKind::Spot:
+            return 0;
+        case LightKind::Sun:
+            return light.sin2Angle == 0 ? 0 : 1 / coneSolidAngle(light.sin2Angle);
+        case LightKind::Environment:
+            return lights.environment.map->pdf(lights.environment.mapFromWorld(wi));
+        case LightKind::Area:
+            break;
     }
     const ShapeInstance& shape = shapes[light.shape];
-    if (const double radius = lampRadius(shape); radius > 0) return sphereDirectionPdf(shape.center - from, radius);
+    if (const double radius = lampRadius(shape); radius > 0)
+        return sphereDirectionPdf(shape.center - from, radius);
     if (isRectangle(shape)) return QuadLight(shape, from).pdf(wi);
     const Viewpoint view(shape.localPoint(from), shape.worldFromLocal);
     const DVec3 d = glm::normalize(shape.localVector(wi));
-    return std::visit([&](const auto& canonical) { return canonical.pdfDirection(view, d); }, shape.shape);
+    return std::visit([&](const auto& canonical) { return canonical.pdfDirection(view, d); },
+                      shape.shape);
 }
 
 }  // namespace glint

@@ -1,14 +1,15 @@
-// LightTable: everything that emits, with next-event sampling and its density. Start at sampleLight().
+// LightTable: everything that emits, with next-event sampling and its density. Start at
+// sampleLight().
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "tracer/scene/ids.h"
 #include "tracer/color/rgb.h"
 #include "tracer/compile/light_choice.h"
 #include "tracer/compile/shape_lists.h"
 #include "tracer/lights/environment_map.h"
+#include "tracer/scene/ids.h"
 
 namespace glint {
 
@@ -19,15 +20,16 @@ struct CompiledLight {
     LightKind kind = LightKind::Point;
     DVec3 position{0.0};        ///< Point, Spot
     DVec3 direction{0, -1, 0};  ///< Spot: of the axis; Sun: towards the sun; unit
-    DVec3 intensity{0.0};       ///< Point, Spot; in double: a scene of another size has powers of its size in it, which no float holds
-    Rgb emission{0.0f};         ///< radiance (Sun with a disc, Area), irradiance (Sun of angle 0)
+    DVec3 intensity{0.0};  ///< Point, Spot; in double: a scene of another size has powers of its
+                           ///< size in it, which no float holds
+    Rgb emission{0.0f};    ///< radiance (Sun with a disc, Area), irradiance (Sun of angle 0)
     float cosInner = 1, cosOuter = 1;  ///< Spot: full inside cosInner, none outside cosOuter
-    double sin2Angle = 0;       ///< Sun: sin^2 of half the disc's angle; 0: a single direction
+    double sin2Angle = 0;            ///< Sun: sin^2 of half the disc's angle; 0: a single direction
     std::uint32_t shape = kNoShape;  ///< Area
-    bool twoSided = false;      ///< Area
-    double power = 0;           ///< W up to a common factor
-    std::uint8_t group = 0;     ///< whose sum its light goes to, see scene/light_groups.h
-    LightId id;                 ///< of the scene's entry, if it is one
+    bool twoSided = false;           ///< Area
+    double power = 0;                ///< W up to a common factor
+    std::uint8_t group = 0;          ///< whose sum its light goes to, see scene/light_groups.h
+    LightId id;                      ///< of the scene's entry, if it is one
 
     /// Sun: the unit vector `towards` meets the disc.
     [[nodiscard]] bool discHolds(const DVec3& towards) const {
@@ -36,16 +38,17 @@ struct CompiledLight {
     }
     /// Only next-event estimation can find it.
     [[nodiscard]] bool isDelta() const {
-        return kind == LightKind::Point || kind == LightKind::Spot || (kind == LightKind::Sun && sin2Angle == 0);
+        return kind == LightKind::Point || kind == LightKind::Spot ||
+               (kind == LightKind::Sun && sin2Angle == 0);
     }
 };
 
 /// Light arriving at a point from one direction.
 struct LightSample {
-    DVec3 wi{0.0};              ///< unit, towards the light
+    DVec3 wi{0.0};  ///< unit, towards the light
     double distance = kInfinity;
-    Rgb radiance{0.0f};         ///< for delta lights: irradiance on a facing surface
-    double pdf = 0;             ///< per solid angle; 1 for delta lights; 0: no light
+    Rgb radiance{0.0f};              ///< for delta lights: irradiance on a facing surface
+    double pdf = 0;                  ///< per solid angle; 1 for delta lights; 0: no light
     std::uint32_t shape = kNoShape;  ///< the light's own shape, which must not shadow it
 };
 
@@ -73,8 +76,10 @@ struct LightTable {
     std::vector<CompiledLight> lights;
     LightChoice choice;  ///< among `lights`
     CompiledEnvironment environment;
-    std::uint32_t environmentLight = ~0u;    ///< index of the environment in `lights`; ~0: not sampled (constant or black)
-    std::vector<std::uint32_t> sunDiscs;     ///< indices of suns with a disc, which rays into the sky can hit
+    std::uint32_t environmentLight =
+        ~0u;  ///< index of the environment in `lights`; ~0: not sampled (constant or black)
+    std::vector<std::uint32_t>
+        sunDiscs;  ///< indices of suns with a disc, which rays into the sky can hit
 
     /// Makes `choice`. Call when `lights` is complete.
     void finish(const std::vector<ShapeInstance>& shapes);
@@ -101,14 +106,19 @@ struct LightTable {
     return {wi, distance, irradiance, 1.0};
 }
 
-/// Light from `lights.lights[index]` at the start of `from` (its direction is not used); the media are the ones `from` is in.
-[[nodiscard]] LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index,
+/// Light from `lights.lights[index]` at the start of `from` (its direction is not used); the media
+/// are the ones `from` is in.
+[[nodiscard]] LightSample sampleLight(const LightTable& lights,
+                                      const std::vector<ShapeInstance>& shapes, std::uint32_t index,
                                       const Ray& from, const MediaStack& media, const DVec2& u);
-/// What sampleLight() gives if it draws the direction of `ray`; black where that misses the light. Density 0: it draws other
-/// directions only. Not for delta lights.
-[[nodiscard]] LightSample lightAlong(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index, const Ray& ray, const MediaStack& media);
-/// The density with which sampleLight() would have drawn the direction `wi`, which reaches the light.
-[[nodiscard]] double lightPdf(const LightTable& lights, const std::vector<ShapeInstance>& shapes, std::uint32_t index,
-                              const DVec3& from, const DVec3& wi);
+/// What sampleLight() gives if it draws the direction of `ray`; black where that misses the light.
+/// Density 0: it draws other directions only. Not for delta lights.
+[[nodiscard]] LightSample lightAlong(const LightTable& lights,
+                                     const std::vector<ShapeInstance>& shapes, std::uint32_t index,
+                                     const Ray& ray, const MediaStack& media);
+/// The density with which sampleLight() would have drawn the direction `wi`, which reaches the
+/// light.
+[[nodiscard]] double lightPdf(const LightTable& lights, const std::vector<ShapeInstance>& shapes,
+                              std::uint32_t index, const DVec3& from, const DVec3& wi);
 
 }  // namespace glint

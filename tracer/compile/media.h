@@ -1,5 +1,6 @@
-// The dielectrics that a path is inside of. Membership changes only when the path crosses a surface, and decides which end
-// of a shape's span the path can meet next (shapes/crossing.h), so rounding can never turn inside and outside round.
+// The dielectrics that a path is inside of. Membership changes only when the path crosses a
+// surface, and decides which end of a shape's span the path can meet next (shapes/crossing.h), so
+// rounding can never turn inside and outside round.
 #pragma once
 
 #include <array>
@@ -7,7 +8,8 @@
 
 namespace glint {
 
-/// A small set of shape instances in the order of entry. Deeper nesting than kCapacity drops the oldest.
+/// A small set of shape instances in the order of entry. Deeper nesting than kCapacity drops the
+/// oldest.
 class MediaStack {
   public:
     static constexpr int kCapacity = 16;
@@ -17,13 +19,16 @@ class MediaStack {
     MediaStack(const MediaStack& other) { *this = other; }
     MediaStack& operator=(const MediaStack& other) {
         count_ = other.count_;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) shapes_[i] = other.shapes_[i];
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
+            shapes_[i] = other.shapes_[i];
         return *this;
     }
 
     [[nodiscard]] bool empty() const { return count_ == 0; }
     [[nodiscard]] int size() const { return count_; }
-    [[nodiscard]] std::uint32_t operator[](int i) const { return shapes_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] std::uint32_t operator[](int i) const {
+        return shapes_[static_cast<std::size_t>(i)];
+    }
     [[nodiscard]] bool contains(std::uint32_t shape) const {
         for (int i = 0; i < count_; ++i)
             if ((*this)[i] == shape) return true;

@@ -25,11 +25,13 @@ std::vector<Bounds> boundsOfMedia(const RenderScene& scene) {
     std::vector<Bounds> boxes;
     for (const ShapeInstance& shape : scene.shapes)
         if (shape.dielectric) boxes.push_back(boundsOf(shape));
-    std::sort(boxes.begin(), boxes.end(), [](const Bounds& a, const Bounds& b) { return a.min.x < b.min.x; });
+    std::sort(boxes.begin(), boxes.end(),
+              [](const Bounds& a, const Bounds& b) { return a.min.x < b.min.x; });
     return boxes;
 }
 
-/// The most of `boxes` that share a place, on the axes from `axis` on. One of them begins there on each axis.
+/// The most of `boxes` that share a place, on the axes from `axis` on. One of them begins there on
+/// each axis.
 int mostAtOnePlace(const std::vector<Bounds>& boxes, int axis, int enough) {
     const int all = static_cast<int>(boxes.size());
     if (axis == 3 || all <= 1) return all;
@@ -37,8 +39,10 @@ int mostAtOnePlace(const std::vector<Bounds>& boxes, int axis, int enough) {
     for (const Bounds& first : boxes) {
         std::vector<Bounds> there;
         for (const Bounds& box : boxes)
-            if (box.min[axis] <= first.min[axis] && first.min[axis] <= box.max[axis]) there.push_back(box);
-        if (static_cast<int>(there.size()) > most) most = std::max(most, mostAtOnePlace(there, axis + 1, enough));
+            if (box.min[axis] <= first.min[axis] && first.min[axis] <= box.max[axis])
+                there.push_back(box);
+        if (static_cast<int>(there.size()) > most)
+            most = std::max(most, mostAtOnePlace(there, axis + 1, enough));
         if (most > enough) break;
     }
     return most;
@@ -68,7 +72,8 @@ int mostMediaAtOnePlace(const RenderScene& scene, int enough) {
         for (const Bounds& other : begun)
             if (touch(box, other)) there.push_back(other);
         begun.push_back(box);
-        if (static_cast<int>(there.size()) > most) most = std::max(most, mostAtOnePlace(there, 1, enough));
+        if (static_cast<int>(there.size()) > most)
+            most = std::max(most, mostAtOnePlace(there, 1, enough));
         if (most > enough || (steps += begun.size()) > kMostCrossings) break;
     }
     return most;

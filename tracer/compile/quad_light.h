@@ -22,11 +22,16 @@ class QuadLight {
   public:
     /// `quad` passes isRectangle().
     QuadLight(const ShapeInstance& quad, const DVec3& from)
-        : quad_(quad), x_(quad.worldFromLocal[0]), y_(quad.worldFromLocal[2]), toCenter_(quad.center - from) {
+        : quad_(quad),
+          x_(quad.worldFromLocal[0]),
+          y_(quad.worldFromLocal[2]),
+          toCenter_(quad.center - from) {
         const DMat3& m = quad.localFromWorld;
-        normal_ = glm::normalize(DVec3(m[0][1], m[1][1], m[2][1]));  // Of the inverse transpose, as in surfacePoint().
+        normal_ = glm::normalize(
+            DVec3(m[0][1], m[1][1], m[2][1]));  // Of the inverse transpose, as in surfacePoint().
         height_ = glm::dot(toCenter_, normal_);
-        const double x2 = glm::dot(x_, x_), y2 = glm::dot(y_, y_), d2 = glm::dot(toCenter_, toCenter_);
+        const double x2 = glm::dot(x_, x_), y2 = glm::dot(y_, y_),
+                     d2 = glm::dot(toCenter_, toCenter_);
         isFar_ = d2 >= kFar * (x2 + y2);
         area_ = 4 * std::sqrt(x2 * y2);
         if (isFar_) weighCorners();
@@ -54,14 +59,16 @@ class QuadLight {
     }
 
   private:
-    /// Far: from twice the half diagonal on. There cos / r^2 lies within a sixth of the corners' blend.
+    /// Far: from twice the half diagonal on. There cos / r^2 lies within a sixth of the corners'
+    /// blend.
     static constexpr double kFar = 4;
 
     void weighCorners() {
         for (std::size_t i = 0; i < 4; ++i) {
             const DVec3 p = toCenter_ + (i & 1 ? x_ : -x_) + (i & 2 ? y_ : -y_);
             const double r2 = glm::dot(p, p);
-            weight_[i] = 1 / (r2 * std::sqrt(r2));  // The cosine is height / r, of the same height for all.
+            weight_[i] =
+                1 / (r2 * std::sqrt(r2));  // The cosine is height / r, of the same height for all.
         }
         sum_ = weight_[0] + weight_[1] + weight_[2] + weight_[3];
     }
@@ -86,19 +93,20 @@ class QuadLight {
         return {cx - x, cy - y, cx + x, cy + y, height_};
     }
     [[nodiscard]] DVec3 inFrame(const DVec3& d) const {
-        return {glm::dot(d, x_) / glm::length(x_), glm::dot(d, y_) / glm::length(y_), glm::dot(d, normal_)};
+        return {glm::dot(d, x_) / glm::length(x_), glm::dot(d, y_) / glm::length(y_),
+                glm::dot(d, normal_)};
     }
     [[nodiscard]] Sample sampleSolidAngle(const DVec2& u) const {
         const DirectionSample s = solidAngle().sample(u);
         if (!(s.pdf > 0)) return {};
-        const DVec3 direction =
-            s.direction.x / glm::length(x_) * x_ + s.direction.y / glm::length(y_) * y_ + s.direction.z * normal_;
+        const DVec3 direction = s.direction.x / glm::length(x_) * x_ +
+                                s.direction.y / glm::length(y_) * y_ + s.direction.z * normal_;
         return {direction, height_ / s.direction.z, s.pdf};
     }
 
     const ShapeInstance& quad_;
     DVec3 x_, y_, toCenter_, normal_{0.0};  ///< half edges; unit normal
-    double area_ = 0, height_ = 0;          ///< height_: of the quad over the point, along its normal
+    double area_ = 0, height_ = 0;  ///< height_: of the quad over the point, along its normal
     bool isFar_ = false;
     std::array<double, 4> weight_{};
     double sum_ = 0;

@@ -1,5 +1,6 @@
-// RenderScene: the compiled scene, immutable while it is traced. Positions are relative to `origin`, the centre of the finite
-// scene bounds, so that a scene far from zero loses nothing. Made by compiler.h; traced by render/.
+// RenderScene: the compiled scene, immutable while it is traced. Positions are relative to
+// `origin`, the centre of the finite scene bounds, so that a scene far from zero loses nothing.
+// Made by compiler.h; traced by render/.
 #pragma once
 
 #include <array>
@@ -31,15 +32,18 @@ enum class Feature : std::uint32_t {
     SampledSky = 1u << 7,   ///< of these, one with next-event estimation
     Lens = 1u << 8,         ///< an aperture
     Rough = 1u << 9,        ///< lobes between Lambert's and a mirror's: microfacets, Phong
-    Casters = 1u << 10,     ///< perfect balls and faces under small lights, for the path integrator: see compile/casters.h
-    Highlights = 1u << 11,  ///< glossy surfaces under small lights, for it too: see compile/highlights.h
+    Casters = 1u << 10,  ///< perfect balls and faces under small lights, for the path integrator:
+                         ///< see compile/casters.h
+    Highlights =
+        1u << 11,  ///< glossy surfaces under small lights, for it too: see compile/highlights.h
     // Not the scene's but the render's:
-    Layers = 1u << 12,      ///< layers are asked for
-    NoSkips = 1u << 13,     ///< work that cannot count is done all the same, to prove that it may be skipped
+    Layers = 1u << 12,  ///< layers are asked for
+    NoSkips =
+        1u << 13,  ///< work that cannot count is done all the same, to prove that it may be skipped
 };
 inline constexpr std::array<std::string_view, 12> kFeatureNames = {
-    "smooth BSDFs", "delta BSDFs", "media", "straight transmission", "delta lights", "area lights", "sky", "sampled sky", "lens", "rough lobes",
-    "caustics", "highlights"};
+    "smooth BSDFs", "delta BSDFs", "media", "straight transmission", "delta lights", "area lights",
+    "sky",          "sampled sky", "lens",  "rough lobes",           "caustics",     "highlights"};
 
 using Features = std::uint32_t;
 /// All that a scene can hold.
@@ -51,26 +55,33 @@ inline constexpr Features kAllFeatures = (1u << kFeatureNames.size()) - 1;
 /// A material's leaves and what the kernels want to know of them at a glance.
 struct CompiledMaterial {
     std::vector<WeightedLeaf> leaves;
-    std::vector<float> pick;  ///< chance of each leaf's smooth part, in proportion to weight times albedo; sums to 1 or 0
-    float smoothAlbedo = 0;   ///< of all smooth parts together, for choosing between them and delta branches
-    float broadAlbedo = 0;    ///< of those that are not one narrow lobe alone
+    std::vector<float> pick;  ///< chance of each leaf's smooth part, in proportion to weight times
+                              ///< albedo; sums to 1 or 0
+    float smoothAlbedo =
+        0;  ///< of all smooth parts together, for choosing between them and delta branches
+    float broadAlbedo = 0;  ///< of those that are not one narrow lobe alone
     bool hasDelta = false;
-    bool isRough = false;     ///< some leaf is, see kIsRough
-    Rgb straight{0.0f};       ///< factor on light that passes straight through, at most; black: opaque to shadow rays
+    bool isRough = false;  ///< some leaf is, see kIsRough
+    Rgb straight{0.0f};    ///< factor on light that passes straight through, at most; black: opaque
+                           ///< to shadow rays
     bool dielectric = false;
     Medium medium;
-    std::uint64_t bit = 0;    ///< stands for it in sets of materials, see materialBit()
+    std::uint64_t bit = 0;  ///< stands for it in sets of materials, see materialBit()
 
     [[nodiscard]] bool hasSmooth() const { return smoothAlbedo > 0; }
 };
 
-/// The bit for a material in a set of 64; materials share one where there are more. No material: bit 0.
-[[nodiscard]] constexpr std::uint64_t materialBit(MaterialId id) { return std::uint64_t{1} << (id.value % 64); }
+/// The bit for a material in a set of 64; materials share one where there are more. No material:
+/// bit 0.
+[[nodiscard]] constexpr std::uint64_t materialBit(MaterialId id) {
+    return std::uint64_t{1} << (id.value % 64);
+}
 
 struct RenderScene {
     DVec3 origin{0.0};  ///< world position of render space's origin
     SharedList<ShapeInstance> shapes;
-    std::shared_ptr<const ShapeLists> lists;  ///< of `shapes`; scenes that have them in common share it
+    std::shared_ptr<const ShapeLists>
+        lists;  ///< of `shapes`; scenes that have them in common share it
     std::vector<CompiledMaterial> materials;
     LightTable lights;
     LightBuffers lightBuffers;
@@ -78,7 +89,8 @@ struct RenderScene {
     HighlightTable highlights;
     CameraModel camera;
     MediaStack cameraMedia;  ///< the dielectrics around the camera, where all of its rays start
-    std::vector<std::uint32_t> cameraBoundaries;  ///< those that some of its rays may start inside of: lens, orthographic
+    std::vector<std::uint32_t>
+        cameraBoundaries;  ///< those that some of its rays may start inside of: lens, orthographic
     FilmSettings film;
     RenderSettings settings;
     Features features = 0;

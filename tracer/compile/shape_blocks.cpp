@@ -64,7 +64,8 @@ HWY_INLINE Interval interval(V t0, V t1, M outside, const RayLanes& ray) {
 
 /// Perpendicular distance against the radius, as in CanonicalSphere.
 template <Coordinates kCoordinates>
-HWY_INLINE Interval test(const BallBlock<kCoordinates>& block, const RayLanes& ray, std::size_t lane) {
+HWY_INLINE Interval test(const BallBlock<kCoordinates>& block, const RayLanes& ray,
+                         std::size_t lane) {
     const V fx = toCenter(block.center, ray, 0, lane), fy = toCenter(block.center, ray, 1, lane),
             fz = toCenter(block.center, ray, 2, lane);
     const V radius = hn::Load(kTag, block.radius + lane), margin = hn::Set(kTag, kBallMargin);
@@ -81,7 +82,8 @@ HWY_INLINE Interval test(const BallBlock<kCoordinates>& block, const RayLanes& r
 
 /// Three slabs.
 template <Coordinates kCoordinates>
-HWY_INLINE Interval test(const BoxBlock<kCoordinates>& block, const RayLanes& ray, std::size_t lane) {
+HWY_INLINE Interval test(const BoxBlock<kCoordinates>& block, const RayLanes& ray,
+                         std::size_t lane) {
     const V fx = toCenter(block.center, ray, 0, lane), fy = toCenter(block.center, ray, 1, lane),
             fz = toCenter(block.center, ray, 2, lane);
     const V length = hn::Add(hn::Abs(fx), hn::Add(hn::Abs(fy), hn::Abs(fz)));
@@ -172,7 +174,8 @@ HWY_INLINE std::uint32_t testNode(const Node8& node, const PlaneTimes& times, co
             V first = times.enter[axis], last = times.leave[axis];
             if constexpr (kCoordinates == Coordinates::Single) {
                 const V corner = hn::Set(kTag, node.cornerHi[axis]);
-                first = hn::MulAdd(corner, inverse, first), last = hn::MulAdd(corner, inverse, last);
+                first = hn::MulAdd(corner, inverse, first),
+                last = hn::MulAdd(corner, inverse, last);
             }
             const std::uint8_t *front = node.planes[walk.nearPlane[axis]] + lane,
                                *back = node.planes[walk.farPlane[axis]] + lane;
@@ -196,13 +199,16 @@ struct Waiting {
     [[nodiscard]] HWY_INLINE float tNear() const {
         return std::bit_cast<float>(static_cast<std::uint32_t>(bits >> 32U));
     }
-    [[nodiscard]] HWY_INLINE std::uint32_t child() const { return static_cast<std::uint32_t>(bits); }
+    [[nodiscard]] HWY_INLINE std::uint32_t child() const {
+        return static_cast<std::uint32_t>(bits);
+    }
 };
 
 template <std::size_t kBytes>
 HWY_INLINE void prefetch(const void* from) {
 #pragma GCC unroll 16
-    for (std::size_t at = 0; at < kBytes; at += 64) hwy::Prefetch(static_cast<const char*>(from) + at);
+    for (std::size_t at = 0; at < kBytes; at += 64)
+        hwy::Prefetch(static_cast<const char*>(from) + at);
 }
 
 /// Has a child brought into the cache before its turn comes: 1.5 times the rays from 1e5 balls on,
@@ -217,8 +223,8 @@ HWY_INLINE void prefetch(const BlockTree<kCoordinates>& tree, std::uint32_t chil
 
 /// Puts the children that are hit on the stack, the nearest on top of all from `base` on.
 template <Coordinates kCoordinates>
-HWY_INLINE Waiting* pushHits(const BlockTree<kCoordinates>& tree, const Node8& node, std::uint32_t hits,
-                             const float* tNear, Waiting* base, Waiting* top) {
+HWY_INLINE Waiting* pushHits(const BlockTree<kCoordinates>& tree, const Node8& node,
+                             std::uint32_t hits, const float* tNear, Waiting* base, Waiting* top) {
     for (; hits != 0; hits &= hits - 1) {
         const auto i = static_cast<std::uint32_t>(std::countr_zero(hits));
         const Waiting added = Waiting::of(tNear[i], node.child[i]);
@@ -313,8 +319,8 @@ WalkCounts walkTree(const BlockTree<kCoordinates>& tree, const FilterRay& ray, D
                 prefetch<kBallShapeBytes>(static_cast<const char*>(tree.ballShapes) +
                                           kBallShapeBytes * block);
             limit = balls ? visitLeaf(tree.balls[block], first, shapes, lanes, limit, decide, query)
-                          : visitLeaf(tree.boxes[block], tree.boxSlots + first, shapes, lanes, limit,
-                                      decide, query);
+                          : visitLeaf(tree.boxes[block], tree.boxSlots + first, shapes, lanes,
+                                      limit, decide, query);
             if (limit < 0) return counts;
             lanes.limit = hn::Set(kTag, limit);
         } else {
@@ -329,8 +335,9 @@ WalkCounts walkTree(const BlockTree<kCoordinates>& tree, const FilterRay& ray, D
 
 template <Coordinates kCoordinates>
 BlockKernels<kCoordinates> kernels() {
-    return {hwy::TargetName(HWY_TARGET), scan<BallBlock<kCoordinates>>, scan<BoxBlock<kCoordinates>>,
-            walkTree<kCoordinates, Ahead::No>, walkTree<kCoordinates, Ahead::Yes>};
+    return {hwy::TargetName(HWY_TARGET), scan<BallBlock<kCoordinates>>,
+            scan<BoxBlock<kCoordinates>>, walkTree<kCoordinates, Ahead::No>,
+            walkTree<kCoordinates, Ahead::Yes>};
 }
 BlockKernels<Coordinates::Single> singleKernels() { return kernels<Coordinates::Single>(); }
 BlockKernels<Coordinates::Pairs> pairsKernels() { return kernels<Coordinates::Pairs>(); }

@@ -19,11 +19,12 @@
 //   the shape's radius, so the computed slab coordinate is off by at most 15u|f| + 9uR + slack,
 //   divisions included when they are read as errors of the slab's faces. The test takes 24u of |f|
 //   (1-norm) and R (within `half` already).
-// - Nodes, axis by axis: 16u of the origin's distance from the node's corner (Single: from zero), 20u
+// - Nodes, axis by axis: 16u of the origin's distance from the node's corner (Single: from zero),
+// 20u
 //   of each face's and 8u of the farthest face's, which nothing in between exceeds (both within the
 //   face already). A coordinate of the direction below kLeastDirection counts as that much, so that
-//   no product overflows. Up to a hit, at most |f| + the node's size away, that shifts the ray by less
-//   than the slack and a margin of kLeastDirection times the size (within the face, too).
+//   no product overflows. Up to a hit, at most |f| + the node's size away, that shifts the ray by
+//   less than the slack and a margin of kLeastDirection times the size (within the face, too).
 // Comparisons are written so that NaN, from overflow or 0 * infinity, leaves a candidate standing.
 // Underflow to zero, with or without FTZ, loses at most 1e-38, which the slack holds.
 #pragma once
@@ -81,14 +82,14 @@ struct alignas(32) BoxBlock {
 };
 
 /// A node of the hierarchy in two cache lines: the boxes of up to eight children, with eight bits a
-/// plane (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide
-/// BVHs", HPG 2017, 3.2).
+/// plane (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed
+/// Wide BVHs", HPG 2017, 3.2).
 struct alignas(64) Node8 {
     std::uint8_t planes[6][kBlockSize];  ///< lower x, y, z, upper x, y, z, in steps from the corner
-    float cornerHi[3], cornerLo[3];      ///< lower ends of all boxes; lo: 0 with Coordinates::Single
-    float step[3];                       ///< [m]
-    std::uint32_t children;              ///< a bit each, the lowest
-    std::uint32_t child[kBlockSize];     ///< a node's index or leafChild()
+    float cornerHi[3], cornerLo[3];   ///< lower ends of all boxes; lo: 0 with Coordinates::Single
+    float step[3];                    ///< [m]
+    std::uint32_t children;           ///< a bit each, the lowest
+    std::uint32_t child[kBlockSize];  ///< a node's index or leafChild()
     [[nodiscard]] bool has(std::size_t i) const { return children >> i & 1; }
 };
 static_assert(sizeof(Node8) == 128);
@@ -99,16 +100,19 @@ inline constexpr std::uint32_t kBallBit = 1u << 30;  ///< of balls, else of boxe
 inline constexpr std::uint32_t kMostBlocks = 1u << 27;
 
 /// A leaf as a node's child: a block with `count` shapes, 1 to kBlockSize.
-[[nodiscard]] constexpr std::uint32_t leafChild(bool balls, std::uint32_t block, std::uint32_t count) {
+[[nodiscard]] constexpr std::uint32_t leafChild(bool balls, std::uint32_t block,
+                                                std::uint32_t count) {
     return kLeafBit | (balls ? kBallBit : 0u) | ((count - 1) * kMostBlocks) | block;
 }
-[[nodiscard]] constexpr std::uint32_t blockOf(std::uint32_t leaf) { return leaf & (kMostBlocks - 1); }
+[[nodiscard]] constexpr std::uint32_t blockOf(std::uint32_t leaf) {
+    return leaf & (kMostBlocks - 1);
+}
 [[nodiscard]] constexpr std::uint32_t shapesOf(std::uint32_t leaf) {
     return (leaf / kMostBlocks) % kBlockSize + 1;
 }
 
-/// Walks of trees of more nodes (1 MB) look ahead, but not to the nodes of the top levels, which stay
-/// in the cache: so many lie before the others.
+/// Walks of trees of more nodes (1 MB) look ahead, but not to the nodes of the top levels, which
+/// stay in the cache: so many lie before the others.
 inline constexpr std::size_t kCachedNodes = 8192;
 inline constexpr std::uint32_t kTopNodes = 512;
 
@@ -136,7 +140,8 @@ struct BlockTree {
     const BallBlock<kCoordinates>* balls;
     const BoxBlock<kCoordinates>* boxes;
     std::uint32_t boxSlots;
-    const void* ballShapes;  ///< what decides the balls of block after block, in kBallShapeBytes each
+    const void*
+        ballShapes;  ///< what decides the balls of block after block, in kBallShapeBytes each
 };
 inline constexpr std::size_t kBallShapeBytes = 40 * kBlockSize;
 
@@ -162,9 +167,10 @@ struct BlockKernels {
                                 DecideLeaf decide, void* query);
     /// Visits the leaves along the ray from near to far.
     Walk walk;
-    /// The same where memory is what takes the time (0.86 times that of `walk` among 1e7 balls): the
-    /// node after the next child is visited ahead of it, so that the children of both come in at once.
-    /// It is in vain where the next child ends the ray; 1.13 times as many nodes are visited.
+    /// The same where memory is what takes the time (0.86 times that of `walk` among 1e7 balls):
+    /// the node after the next child is visited ahead of it, so that the children of both come in
+    /// at once. It is in vain where the next child ends the ray; 1.13 times as many nodes are
+    /// visited.
     Walk walkAhead;
 };
 

@@ -1,6 +1,6 @@
-// Which shapes a bundle of rays can meet. One search for a tile of the film serves all of its camera
-// rays. No packets of rays: in float alone and with no hit described they would take 0.34 (4 balls),
-// 0.59 (16), 1.3 (64) and 2.3 (128) of the time of such single rays (glint-bench rays).
+// Which shapes a bundle of rays can meet. One search for a tile of the film serves all of its
+// camera rays. No packets of rays: in float alone and with no hit described they would take 0.34 (4
+// balls), 0.59 (16), 1.3 (64) and 2.3 (128) of the time of such single rays (glint-bench rays).
 #include <cstring>
 
 #include "tracer/compile/bvh8.h"
@@ -84,8 +84,8 @@ bool ShapeLists::cullBlocks(const RayBundle& bundle, FewShapes& few) const {
             }
             const std::uint32_t block = blockOf(child), first = kBlockSize * block;
             for (std::uint32_t lane = 0; lane < shapesOf(child); ++lane)
-                child & kBallBit ? addBall(from.balls[block], lane, first + lane)
-                                 : addBox(from.boxes[block], lane, ballSlots_ + first + lane);
+                child& kBallBit ? addBall(from.balls[block], lane, first + lane)
+                                : addBox(from.boxes[block], lane, ballSlots_ + first + lane);
         }
         if (few.balls.size() + few.boxes.size() > kMostFew) return false;
     }

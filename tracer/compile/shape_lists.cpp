@@ -98,7 +98,9 @@ struct ShapeLists::Nearest {
 
     /// Hits this far from the best one may coincide with it.
     [[nodiscard]] double range() const { return kTieRange * (bestOrder + place); }
-    [[nodiscard]] double limit() const { return found() ? std::min(tMax, bestOrder + range()) : tMax; }
+    [[nodiscard]] double limit() const {
+        return found() ? std::min(tMax, bestOrder + range()) : tMax;
+    }
     [[nodiscard]] static bool done() { return false; }
     template <class Shape>
     void decide(const Shape& shape, const Ray& ray, Start start) {
@@ -316,7 +318,8 @@ template <Coordinates kCoordinates, class Question>
     };
     ray.limit = roundUp(question.limit() * asking.length);
     const auto& blocks = *std::get_if<Blocks<kCoordinates>>(&blocks_);
-    const auto kernel = nodes_.size() > kCachedNodes ? blocks.kernels.walkAhead : blocks.kernels.walk;
+    const auto kernel =
+        nodes_.size() > kCachedNodes ? blocks.kernels.walkAhead : blocks.kernels.walk;
     const WalkCounts counts =
         kernel({nodes_.data(), blocks.balls.data(), blocks.boxes.data(), ballSlots_, balls_.data()},
                ray, decideLeaf, &walk);
@@ -335,8 +338,8 @@ template <Coordinates kCoordinates, class Question>
     asking.work[Work::BoxBlocks] += blocks.boxes.size();
     const auto slot = [](std::size_t lane) { return static_cast<std::uint32_t>(lane); };
     if (few) {
-        askFlat(asking, question, blocks.balls, few->balls.size(), blocks.kernels.balls,
-                           ray, [&](std::size_t lane) { return few->balls[lane]; });
+        askFlat(asking, question, blocks.balls, few->balls.size(), blocks.kernels.balls, ray,
+                [&](std::size_t lane) { return few->balls[lane]; });
         return askFlat(asking, question, blocks.boxes, few->boxes.size(), blocks.kernels.boxes, ray,
                        [&](std::size_t lane) { return few->boxes[lane]; });
     }
@@ -356,9 +359,10 @@ template <class Question>
     const bool single = blocks_.index() == 0;
     const Coordinates coordinates = single ? Coordinates::Single : Coordinates::Pairs;
     // Where a tile sees nothing, as often, no more is to be known of the ray.
-    const Fit fit = unfiltered_                ? Fit::Unfit
-                    : few && few->isEmpty() ? Fit::Miss
-                                            : prepare(ray, reach_, coordinates, filterRay, asking.length);
+    const Fit fit = unfiltered_ ? Fit::Unfit
+                    : few && few->isEmpty()
+                        ? Fit::Miss
+                        : prepare(ray, reach_, coordinates, filterRay, asking.length);
     if (fit == Fit::Unfit) return decideAll(asking, question);
     const bool startsOnListed =
         ray.fromShape < slotOf_.size() && slotOf_[ray.fromShape] != kNoShape;
@@ -368,8 +372,8 @@ template <class Question>
                   : askBlocks<Coordinates::Pairs>(asking, question, filterRay, few);
 }
 
-ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMax,
-                             WorkCounts& work, const FewShapes* few) const {
+ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMax, WorkCounts& work,
+                             const FewShapes* few) const {
     Nearest question{this, coordinateSum(ray.origin), tMax};
     ask(ray, media, question, work, few);
     return question.best();
@@ -393,8 +397,8 @@ bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax,
 
 ShapeLists::Memory ShapeLists::memory() const {
     const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
-    const std::size_t blocks = std::visit(
-        [&](const auto& b) { return bytes(b.balls) + bytes(b.boxes); }, blocks_);
+    const std::size_t blocks =
+        std::visit([&](const auto& b) { return bytes(b.balls) + bytes(b.boxes); }, blocks_);
     return {bytes(nodes_) + bytes(slotOf_),
             bytes(always_) + bytes(balls_) + bytes(boxes_) + blocks};
 }

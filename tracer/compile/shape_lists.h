@@ -99,8 +99,8 @@ struct Blocks {
     BlockKernels<kCoordinates> kernels{};
 };
 
-/// The shapes of a list that a bundle of rays can meet, in blocks of their own. Its memory serves one
-/// bundle after the other.
+/// The shapes of a list that a bundle of rays can meet, in blocks of their own. Its memory serves
+/// one bundle after the other.
 struct FewShapes {
     std::variant<Blocks<Coordinates::Single>, Blocks<Coordinates::Pairs>> blocks;
     std::vector<std::uint32_t> balls, boxes;  ///< slots, in the order of the blocks' lanes
@@ -115,7 +115,8 @@ class ShapeLists {
     explicit ShapeLists(const std::vector<ShapeInstance>& instances);
     /// The lists after some of the shapes, `from`, have moved, with the same hierarchy (glint-bench
     /// scale: what it takes). None where there is no hierarchy, where shapes have come, gone or
-    /// changed their kind, or where the boxes have grown by more than kMostGrowth since it was built.
+    /// changed their kind, or where the boxes have grown by more than kMostGrowth since it was
+    /// built.
     [[nodiscard]] std::optional<ShapeLists> moved(const std::vector<ShapeInstance>& from,
                                                   const std::vector<ShapeInstance>& to) const;
 
@@ -152,7 +153,9 @@ class ShapeLists {
     [[nodiscard]] BlockCounts blockCounts() const {
         if (unfiltered_) return {};
         return std::visit(
-            [](const auto& blocks) { return BlockCounts{blocks.balls.size(), blocks.boxes.size()}; },
+            [](const auto& blocks) {
+                return BlockCounts{blocks.balls.size(), blocks.boxes.size()};
+            },
             blocks_);
     }
     [[nodiscard]] bool hasHierarchy() const { return !nodes_.empty(); }
@@ -238,19 +241,19 @@ class ShapeLists {
 
     LargeVector<Entry>
         always_;  ///< decided for every ray: planes, and shapes too skewed for the filter
-    // In the order of their blocks; without an index where a block is not full. Slots of boxes follow
-    // those of balls.
+    // In the order of their blocks; without an index where a block is not full. Slots of boxes
+    // follow those of balls.
     LargeVector<Ball> balls_;
     LargeVector<Entry> boxes_;
     std::variant<Blocks<Coordinates::Single>, Blocks<Coordinates::Pairs>> blocks_;
     LargeVector<Node8> nodes_;           ///< empty: the list is flat
     LargeVector<std::uint32_t> slotOf_;  ///< of each shape instance
     double builtArea_ = 0;               ///< of the hierarchy's boxes when it was built [m^2]
-    // Of the filtered shapes, since the hierarchy was built: bounds of the absolute coordinates and of
-    // the sizes [m].
+    // Of the filtered shapes, since the hierarchy was built: bounds of the absolute coordinates and
+    // of the sizes [m].
     double reach_ = 0, leastSize_ = kInfinity;
     std::uint32_t ballSlots_ = 0, boxSlots_ = 0;  ///< lengths of the two lists
-    bool unfiltered_ = true;  ///< so few shapes that all are decided
+    bool unfiltered_ = true;                      ///< so few shapes that all are decided
 };
 
 /// The first hit of a ray on one given shape, by the same predicate as the lists.

@@ -159,8 +159,12 @@ ShapeLists::Ball ShapeLists::ballOf(const ShapeInstance& instance, std::uint32_t
 ShapeLists::Entry ShapeLists::entryOf(const ShapeInstance& instance, std::uint32_t index) {
     const bool convex =
         std::visit([]<class Shape>(const Shape&) { return Shape::convex; }, instance.shape);
-    return {instance.center, instance.localFromWorld, instance.shape,
-            index,           instance.dielectric,     convex,
+    return {instance.center,
+            instance.localFromWorld,
+            instance.shape,
+            index,
+            instance.dielectric,
+            convex,
             std::holds_alternative<CanonicalPlane>(instance.shape)};
 }
 
@@ -178,8 +182,8 @@ void ShapeLists::sortByKind(const std::vector<ShapeInstance>& instances) {
 void ShapeLists::measure(const ShapeInstance& instance) {
     const DMat3& m = instance.worldFromLocal;
     reach_ = std::max(reach_, maxComponent(absolute(instance.center)));
-    leastSize_ = std::min(leastSize_,
-                          std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])}));
+    leastSize_ =
+        std::min(leastSize_, std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])}));
 }
 
 /// Whether single coordinates make no shape seem larger by more than a thousandth.
@@ -228,12 +232,12 @@ void ShapeLists::buildTree(const std::vector<ShapeInstance>& instances) {
         shapes.push_back(bounded(instances[ball.index], ball.index | kBallBit));
     for (const Entry& entry : boxes_)
         shapes.push_back(bounded(instances[entry.index], entry.index));
-    Hierarchy tree =
-        buildHierarchy(shapes, static_cast<int>(std::thread::hardware_concurrency()));
+    Hierarchy tree = buildHierarchy(shapes, static_cast<int>(std::thread::hardware_concurrency()));
 
-    const auto isBall = [&](const Leaf& leaf) { return (shapes[leaf.begin].index & kBallBit) != 0; };
-    const auto ballLeaves =
-        static_cast<std::uint32_t>(std::ranges::count_if(tree.leaves, isBall));
+    const auto isBall = [&](const Leaf& leaf) {
+        return (shapes[leaf.begin].index & kBallBit) != 0;
+    };
+    const auto ballLeaves = static_cast<std::uint32_t>(std::ranges::count_if(tree.leaves, isBall));
     ballSlots_ = kBlockSize * ballLeaves;
     boxSlots_ = kBlockSize * (static_cast<std::uint32_t>(tree.leaves.size()) - ballLeaves);
     slotOf_.assign(instances.size(), kNoShape);

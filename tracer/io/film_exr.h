@@ -19,7 +19,8 @@ struct ExrFile {
     int width = 0, height = 0;
     std::vector<ExrChannel> channels;
     ImageMetadata metadata;
-    bool halfColors = false;  ///< 16 bits for channels of colours (R, G, B, A); the others need all 32
+    bool halfColors =
+        false;  ///< 16 bits for channels of colours (R, G, B, A); the others need all 32
 };
 
 /// Writes floats, ZIP compressed; whole or not at all.

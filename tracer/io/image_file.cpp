@@ -114,8 +114,7 @@ Result<Filling> readByModule(const fs::path& path, Alpha alpha) {
     if (!imageModule().read) return moduleError(path);
     Filling filling;
     const GlintPictureSink sink{
-        &filling,
-        alpha == Alpha::Keep ? 1 : 0,
+        &filling, alpha == Alpha::Keep ? 1 : 0,
         [](void* context, int width, int height, int channels, int integers) {
             return orNothing([&] {
                 return static_cast<Filling*>(context)->begin(width, height, channels,
@@ -269,8 +268,8 @@ Status saveLinear(const fs::path& path, const Image& image, const ImageMetadata&
     GLINT_CHECK(isLinearFormat(path));
     if (endingOf(path) == ".exr") return saveLinearExr(path, image, metadata);
     const std::vector<GlintText> texts = textsOf(metadata);
-    return encodeByModule(path, {image.width, image.height, 3, image.rgb.data(),
-                                 GlintSample::Float, texts.data(), texts.size()});
+    return encodeByModule(path, {image.width, image.height, 3, image.rgb.data(), GlintSample::Float,
+                                 texts.data(), texts.size()});
 }
 
 Status saveDisplay(const fs::path& path, const DisplayImage& display,
@@ -280,9 +279,8 @@ Status saveDisplay(const fs::path& path, const DisplayImage& display,
                                             static_cast<std::size_t>(display.width) *
                                             static_cast<std::size_t>(display.height));
     const std::vector<GlintText> texts = textsOf(metadata);
-    GlintPicture picture{display.width,        display.height,    display.channels,
-                         display.codes.data(), GlintSample::Word, texts.data(),
-                         texts.size()};
+    GlintPicture picture{display.width,     display.height, display.channels, display.codes.data(),
+                         GlintSample::Word, texts.data(),   texts.size()};
     if (display.bits == 16) return encodeByModule(path, picture);
     const std::vector<unsigned char> bytes(display.codes.begin(), display.codes.end());
     picture.pixels = bytes.data();

@@ -36,8 +36,8 @@ using ImageMetadata = std::map<std::string, std::string>;
 /// A picture as a screen takes it, from the display transform.
 struct DisplayImage {
     int width = 0, height = 0;
-    int channels = 3;  ///< 4: with alpha, by which the colours are not multiplied
-    int bits = 8;      ///< or 16
+    int channels = 3;                  ///< 4: with alpha, by which the colours are not multiplied
+    int bits = 8;                      ///< or 16
     std::vector<std::uint16_t> codes;  ///< height x width x channels, row-major, top row first
 };
 
@@ -52,7 +52,7 @@ struct DisplayImage {
 struct RawImage {
     int width = 0, height = 0;
     std::map<std::string, std::vector<float>> channels;  ///< by name; height x width each
-    ImageMetadata metadata;  ///< empty where the format holds none
+    ImageMetadata metadata;                              ///< empty where the format holds none
 };
 /// Errors as for loadImage, which this differs from by what it leaves alone.
 [[nodiscard]] Result<RawImage> loadRaw(const std::filesystem::path& path);

@@ -10,8 +10,8 @@
 
 namespace {
 
-/// Rows of scanlines read at a time: some megabytes, so that a broken file ends the reading before the
-/// whole picture's memory is touched.
+/// Rows of scanlines read at a time: some megabytes, so that a broken file ends the reading before
+/// the whole picture's memory is touched.
 int rowsAtATime(int width) { return std::clamp((1 << 20) / width, 1, 64); }
 constexpr int kJpegQuality = 95;
 
@@ -84,7 +84,8 @@ void readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, i
     if (!good) fail(input.geterror());
 }
 
-/// Spreads `count` pixels of grey (and alpha) at the beginning of `out` over colours, from the back.
+/// Spreads `count` pixels of grey (and alpha) at the beginning of `out` over colours, from the
+/// back.
 void spreadGrey(float* out, std::size_t count, std::size_t alpha) {
     const std::size_t from = 1 + alpha, to = 3 + alpha;
     for (std::size_t i = count; i-- > 0;) {
@@ -126,9 +127,12 @@ void readPicture(const char* path, const GlintPictureSink& sink) {
 
 OIIO::TypeDesc typeOf(GlintSample sample) {
     switch (sample) {
-        case GlintSample::Byte: return OIIO::TypeUInt8;
-        case GlintSample::Word: return OIIO::TypeUInt16;
-        case GlintSample::Float: break;
+        case GlintSample::Byte:
+            return OIIO::TypeUInt8;
+        case GlintSample::Word:
+            return OIIO::TypeUInt16;
+        case GlintSample::Float:
+            break;
     }
     return OIIO::TypeFloat;
 }
@@ -138,7 +142,8 @@ OIIO::ImageSpec specOf(const GlintPicture& picture, const std::string& ending) {
     if (picture.channels == 4) spec["oiio:UnassociatedAlpha"] = 1;
     // In TIFF it would become Exif data, whose writing spoils the file's directory
     // (OpenImageIO 2.4.7 in memory).
-    if (!ending.starts_with(".t")) spec["oiio:ColorSpace"] = picture.sample == GlintSample::Float ? "Linear" : "sRGB";
+    if (!ending.starts_with(".t"))
+        spec["oiio:ColorSpace"] = picture.sample == GlintSample::Float ? "Linear" : "sRGB";
     if (ending.starts_with(".j")) {
         spec["CompressionQuality"] = kJpegQuality;
         spec["jpeg:subsampling"] = "4:4:4";

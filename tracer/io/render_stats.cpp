@@ -27,7 +27,8 @@ Status saveStats(const RenderStats& stats, const std::filesystem::path& path) {
     out["kernel"] = stats.kernel;
     out["skips"] = stats.skips;
     Json work = Json::object();
-    for (std::size_t i = 0; i < kWorkKinds; ++i) work[std::string(kWorkNames[i])] = stats.work.of[i];
+    for (std::size_t i = 0; i < kWorkKinds; ++i)
+        work[std::string(kWorkNames[i])] = stats.work.of[i];
     out["work"] = work;
     out["peak_memory_bytes"] = stats.peakMemoryBytes;
     out["interrupted"] = stats.interrupted;

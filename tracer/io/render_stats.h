@@ -20,7 +20,8 @@ struct RenderStats {
     int seed = 0;
     double setupSeconds = 0;  ///< reading and compiling
     double renderSeconds = 0;
-    double errorPercent = 0;  ///< of the picture; infinite (null in the file) before the second sample
+    double errorPercent =
+        0;  ///< of the picture; infinite (null in the file) before the second sample
     std::uint64_t primaryRays = 0, shadowRays = 0, scatterRays = 0;
     std::uint64_t nonfiniteSamples = 0;
     std::vector<std::string> features;

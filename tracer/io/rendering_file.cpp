@@ -13,7 +13,8 @@ namespace glint {
 namespace {
 
 std::string textOf(const PixelRect& r) {
-    return std::to_string(r.x) + "," + std::to_string(r.y) + "," + std::to_string(r.width) + "," + std::to_string(r.height);
+    return std::to_string(r.x) + "," + std::to_string(r.y) + "," + std::to_string(r.width) + "," +
+           std::to_string(r.height);
 }
 
 std::optional<PixelRect> rectOf(const std::string& text) {
@@ -27,12 +28,14 @@ std::optional<PixelRect> rectOf(const std::string& text) {
     return PixelRect{out[0], out[1], out[2], out[3]};
 }
 
-/// A picture for the screen, in 8 or 16 bits a channel; colours are divided by alpha if there is any.
+/// A picture for the screen, in 8 or 16 bits a channel; colours are divided by alpha if there is
+/// any.
 DisplayImage displayed(const Rendering& rendering, const Display& display, int bits) {
     const DisplayTransform transform({display.exposureEv, display.view});
     const bool withAlpha = !rendering.alpha.empty();
     DisplayImage out{rendering.beauty.width, rendering.beauty.height, withAlpha ? 4 : 3, bits, {}};
-    const std::vector<float>& rgb = rendering.filtered.rgb.empty() ? rendering.beauty.rgb : rendering.filtered.rgb;
+    const std::vector<float>& rgb =
+        rendering.filtered.rgb.empty() ? rendering.beauty.rgb : rendering.filtered.rgb;
     out.codes.reserve(rgb.size() / 3 * static_cast<std::size_t>(out.channels));
     const float most = bits == 16 ? 65535 : 255;
     for (std::size_t i = 0; 3 * i + 2 < rgb.size(); ++i) {
@@ -42,7 +45,8 @@ DisplayImage displayed(const Rendering& rendering, const Display& display, int b
             for (const std::uint16_t code : transform.apply16(color)) out.codes.push_back(code);
         } else {
             const std::uint32_t argb = transform.apply(color);
-            for (const unsigned shift : {16U, 8U, 0U}) out.codes.push_back(static_cast<std::uint16_t>(argb >> shift & 0xffU));
+            for (const unsigned shift : {16U, 8U, 0U})
+                out.codes.push_back(static_cast<std::uint16_t>(argb >> shift & 0xffU));
         }
         if (withAlpha) out.codes.push_back(static_cast<std::uint16_t>(std::lround(alpha * most)));
     }
@@ -51,8 +55,9 @@ DisplayImage displayed(const Rendering& rendering, const Display& display, int b
 
 void appendRgb(const Image& image, const std::string& prefix, std::vector<ExrChannel>& out) {
     for (std::size_t c = 0; c < 3; ++c) {
-        ExrChannel channel{prefix + "RGB"[c], {}};
-        for (std::size_t i = c; i < image.rgb.size(); i += 3) channel.values.push_back(image.rgb[i]);
+        ExrChannel channel{prefix + "RGB" [c], {}};
+        for (std::size_t i = c; i < image.rgb.size(); i += 3)
+            channel.values.push_back(image.rgb[i]);
         out.push_back(std::move(channel));
     }
 }
@@ -66,7 +71,8 @@ ExrFile linear(const Rendering& rendering, bool half) {
     return out;
 }
 
-ImageMetadata metadataFor(const Scene& scene, const Rendering& rendering, const PictureOptions& options, const std::string& features) {
+ImageMetadata metadataFor(const Scene& scene, const Rendering& rendering,
+                          const PictureOptions& options, const std::string& features) {
     ImageMetadata out = {{"glint:sceneHash", sceneHash(worldOf(scene))},
                          {"glint:settings", pictureSettings(scene)},
                          {"glint:seed", std::to_string(scene.render.seed)},
@@ -88,20 +94,29 @@ std::string endingOf(const std::filesystem::path& path) { return path.extension(
 }  // namespace
 
 Status checkPicture(const std::filesystem::path& path, const PictureOptions& options) {
-    const auto fail = [&](std::string message, std::string remedy) { return Error{.message = std::move(message), .file = path.string(), .remedy = std::move(remedy)}; };
+    const auto fail = [&](std::string message, std::string remedy) {
+        return Error{
+            .message = std::move(message), .file = path.string(), .remedy = std::move(remedy)};
+    };
     if (!isWritableFormat(path)) {
         std::string endings;
         for (const std::string& ending : writableEndings()) endings += " " + ending;
         return fail("has an ending that cannot be written", "use one of" + endings);
     }
-    if (options.layers && (!isLinearFormat(path) || !holdsAlpha(path))) return fail("cannot hold layers", "write a .exr");
-    if (options.transparent && !holdsAlpha(path)) return fail("cannot be transparent", "write a .png, .tif or .exr");
-    if (options.filter && isLinearFormat(path) && !holdsAlpha(path)) return fail("cannot say that it is filtered", "write a .exr or .png");
+    if (options.layers && (!isLinearFormat(path) || !holdsAlpha(path)))
+        return fail("cannot hold layers", "write a .exr");
+    if (options.transparent && !holdsAlpha(path))
+        return fail("cannot be transparent", "write a .png, .tif or .exr");
+    if (options.filter && isLinearFormat(path) && !holdsAlpha(path))
+        return fail("cannot say that it is filtered", "write a .exr or .png");
     const std::vector<int> depths = bitDepths(path);
-    if (options.bits == 0 || std::find(depths.begin(), depths.end(), options.bits) != depths.end()) return Done{};
+    if (options.bits == 0 || std::find(depths.begin(), depths.end(), options.bits) != depths.end())
+        return Done{};
     std::string possible;
-    for (const int bits : depths) possible += (possible.empty() ? "" : " or ") + std::to_string(bits);
-    return fail(endingOf(path) + " has no " + std::to_string(options.bits) + " bits a channel", "use " + possible);
+    for (const int bits : depths)
+        possible += (possible.empty() ? "" : " or ") + std::to_string(bits);
+    return fail(endingOf(path) + " has no " + std::to_string(options.bits) + " bits a channel",
+                "use " + possible);
 }
 
 Scene sceneFor(Scene scene, const PictureOptions& options) {
@@ -118,19 +133,22 @@ RenderRequest requestFor(const PictureOptions& options) {
     return out;
 }
 
-Status saveRendering(const std::filesystem::path& path, const Scene& scene, const Rendering& rendering, const PictureOptions& options,
+Status saveRendering(const std::filesystem::path& path, const Scene& scene,
+                     const Rendering& rendering, const PictureOptions& options,
                      const std::string& features) {
     if (Status good = checkPicture(path, options); !good) return good;
     const ImageMetadata metadata = metadataFor(scene, rendering, options, features);
     const int bits = options.bits ? options.bits : bitDepths(path).front();
-    if (!isLinearFormat(path)) return saveDisplay(path, displayed(rendering, scene.display, bits), metadata);
+    if (!isLinearFormat(path))
+        return saveDisplay(path, displayed(rendering, scene.display, bits), metadata);
     if (!holdsAlpha(path)) return saveLinear(path, rendering.beauty, metadata);
     ExrFile file = linear(rendering, bits == 16);
     file.metadata = metadata;
     return saveExr(path, file);
 }
 
-Result<PictureRecipe> recipeOf(const ImageMetadata& metadata, const std::filesystem::path& picture) {
+Result<PictureRecipe> recipeOf(const ImageMetadata& metadata,
+                               const std::filesystem::path& picture) {
     const auto text = [&](const char* key) {
         const auto found = metadata.find(std::string("glint:") + key);
         return found == metadata.end() ? std::string() : found->second;
@@ -141,9 +159,13 @@ Result<PictureRecipe> recipeOf(const ImageMetadata& metadata, const std::filesys
         std::from_chars(digits.data(), digits.data() + digits.size(), out);
         return out;
     };
-    PictureRecipe out{text("sceneHash"), text("settings"), text("version"), text("features"), number("spp"), {}, text("uneven").empty()};
+    PictureRecipe out{text("sceneHash"),     text("settings"), text("version"),
+                      text("features"),      number("spp"),    {},
+                      text("uneven").empty()};
     if (out.sceneHash.empty() || out.settings.empty() || out.spp < 1)
-        return Error{.message = "does not say how it was made", .file = picture.string(), .remedy = "it must be a .exr, .png, .tif or .jpg that Glint wrote"};
+        return Error{.message = "does not say how it was made",
+                     .file = picture.string(),
+                     .remedy = "it must be a .exr, .png, .tif or .jpg that Glint wrote"};
     out.options.bits = number("bits");
     out.options.transparent = !text("transparent").empty();
     out.options.layers = !text("layers").empty();

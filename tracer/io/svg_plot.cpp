@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kWidth = 760, kHeight = 480, kLeft = 72, kRight = 20, kTop = 40, kBottom = 52;
 /// Okabe and Ito's colours, which the colour-blind can tell apart.
-constexpr std::array kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a7a7a", "#b58900"};
+constexpr std::array kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                "#e69f00", "#56b4e9", "#7a7a7a", "#b58900"};
 
 template <class... Values>
 std::string text(const char* pattern, Values... values) {
@@ -24,9 +25,12 @@ std::string text(const char* pattern, Values... values) {
 std::string escaped(const std::string& plain) {
     std::string out;
     for (const char c : plain) {
-        if (c == '&') out += "&amp;";
-        else if (c == '<') out += "&lt;";
-        else out += c;
+        if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else
+            out += c;
     }
     return out;
 }
@@ -42,7 +46,8 @@ struct Axis {
     }
     /// At least one decade, and air at both ends.
     void finish(double pixelFrom, double pixelTo) {
-        const double middle = std::sqrt(low * high), half = std::max(std::sqrt(high / low) * 1.15, 3.2);
+        const double middle = std::sqrt(low * high),
+                     half = std::max(std::sqrt(high / low) * 1.15, 3.2);
         low = middle / half;
         high = middle * half;
         from = pixelFrom;
@@ -54,18 +59,26 @@ struct Axis {
     }
     template <class Visit>
     void forEachDecade(Visit&& visit) const {
-        const int decades = static_cast<int>(std::log10(high / low)), step = std::max(1, decades / 8);
-        for (int k = static_cast<int>(std::ceil(std::log10(low))); std::pow(10.0, k) <= high; k += step) visit(k);
+        const int decades = static_cast<int>(std::log10(high / low)),
+                  step = std::max(1, decades / 8);
+        for (int k = static_cast<int>(std::ceil(std::log10(low))); std::pow(10.0, k) <= high;
+             k += step)
+            visit(k);
     }
 };
 
 class Drawing {
   public:
-    explicit Drawing(const LogPlot& plot) : plot_(plot), ink_(plot.onDark ? "#d8d8d8" : "#303030"), grid_(plot.onDark ? "#4a4a4a" : "#d8d8d8") {}
+    explicit Drawing(const LogPlot& plot)
+        : plot_(plot),
+          ink_(plot.onDark ? "#d8d8d8" : "#303030"),
+          grid_(plot.onDark ? "#4a4a4a" : "#d8d8d8") {}
 
     std::string run() {
-        out_ = text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g %g\" font-family=\"sans-serif\" font-size=\"12\" fill=\"%s\">\n",
-                    kWidth, kHeight, kWidth, kHeight, ink_);
+        out_ = text(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g "
+            "%g\" font-family=\"sans-serif\" font-size=\"12\" fill=\"%s\">\n",
+            kWidth, kHeight, kWidth, kHeight, ink_);
         write(kWidth / 2, 22, "middle", plot_.title, "font-size=\"14\"");
         for (const PlotCurve& curve : plot_.curves)
             for (const PlotPoint& p : curve.points) {
@@ -76,7 +89,8 @@ class Drawing {
             x_.finish(kLeft, kWidth - kRight);
             y_.finish(kHeight - kBottom, kTop);
             axes();
-            for (std::size_t i = 0; i < plot_.curves.size(); ++i) curve(plot_.curves[i], kColors[i % kColors.size()]);
+            for (std::size_t i = 0; i < plot_.curves.size(); ++i)
+                curve(plot_.curves[i], kColors[i % kColors.size()]);
             legend();
         } else {
             write(kWidth / 2, kHeight / 2, "middle", "no noise to show", "");
@@ -85,11 +99,14 @@ class Drawing {
     }
 
   private:
-    void write(double x, double y, const char* anchor, const std::string& words, const std::string& more) {
-        out_ += text("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" ", x, y, anchor) + more + ">" + escaped(words) + "</text>\n";
+    void write(double x, double y, const char* anchor, const std::string& words,
+               const std::string& more) {
+        out_ += text("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" ", x, y, anchor) + more + ">" +
+                escaped(words) + "</text>\n";
     }
     void line(double x0, double y0, double x1, double y1, const char* color) {
-        out_ += text("<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"%s\" fill=\"none\"/>\n", x0, y0, x1, y1, color);
+        out_ += text("<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"%s\" fill=\"none\"/>\n", x0, y0, x1,
+                     y1, color);
     }
 
     void axes() {
@@ -117,20 +134,23 @@ class Drawing {
             path += text("%c%.1f %.1f", path.empty() ? 'M' : 'L', x, y);
             out_ += text("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.6\" fill=\"%s\"/>\n", x, y, color);
             if (p.half > 0 && std::isfinite(p.half)) {
-                const double top = y_.at(p.y + p.half), bottom = y_.at(std::max(p.y - p.half, y_.low));
+                const double top = y_.at(p.y + p.half),
+                             bottom = y_.at(std::max(p.y - p.half, y_.low));
                 line(x, top, x, bottom, color);
                 line(x - 3, top, x + 3, top, color);
                 line(x - 3, bottom, x + 3, bottom, color);
             }
         }
-        out_ += "<path d=\"" + path + text("\" stroke=\"%s\" stroke-width=\"1.6\" fill=\"none\"/>\n", color);
+        out_ += "<path d=\"" + path +
+                text("\" stroke=\"%s\" stroke-width=\"1.6\" fill=\"none\"/>\n", color);
     }
 
     void legend() {
         double y = kTop + 14;
         for (std::size_t i = 0; i < plot_.curves.size(); ++i, y += 16) {
             const char* color = kColors[i % kColors.size()];
-            out_ += text("<path d=\"M%.1f %.1fh16\" stroke=\"%s\" stroke-width=\"2.4\"/>\n", kWidth - kRight - 22, y - 4, color);
+            out_ += text("<path d=\"M%.1f %.1fh16\" stroke=\"%s\" stroke-width=\"2.4\"/>\n",
+                         kWidth - kRight - 22, y - 4, color);
             write(kWidth - kRight - 28, y, "end", plot_.curves[i].name, "");
         }
     }

@@ -1,4 +1,5 @@
-// Plots in double logarithmic scale as SVG text: for the error report and the benches. No files, no fonts, no library.
+// Plots in double logarithmic scale as SVG text: for the error report and the benches. No files, no
+// fonts, no library.
 #pragma once
 
 #include <string>
@@ -20,7 +21,8 @@ struct LogPlot {
     bool onDark = false;  ///< light ink, for a dark page; the background is transparent either way
 };
 
-/// The plot with decades as grid, a legend, and error bars, 760 x 480. Without any point it says so.
+/// The plot with decades as grid, a legend, and error bars, 760 x 480. Without any point it says
+/// so.
 [[nodiscard]] std::string svgOf(const LogPlot& plot);
 
 }  // namespace glint

@@ -72,8 +72,8 @@ BandWeights bandWeights(const Band& band) {
 /// start reaches `share` of `mass`, its value for the whole band. Halley's method from the solution
 /// for a linear density: two or three steps; error 1e-12, or 1e-4 within that much of a place where
 /// the density is zero.
-double invertBand(const Band& band, double sinStart, double cosStart, double sinEnd, double upper, double lower,
-                  double share, double mass) {
+double invertBand(const Band& band, double sinStart, double cosStart, double sinEnd, double upper,
+                  double lower, double share, double mass) {
     constexpr int kMaxSteps = 60;
     constexpr double kTolerance =
         1e-4;  // Of the band. Convergence is cubic: after such a step the error is 1e-12.
@@ -119,7 +119,8 @@ EnvironmentMap::EnvironmentMap(std::shared_ptr<const Image> image, Density densi
     const double mean = luminance(mean_);
     build(density == Density::Compensated ? std::max(0.0, mean) : 0.0);
     const double meanWeight = bands_.back() / (2.0 * image_->width);
-    if (density == Density::Compensated && mean > 0 && meanWeight <= kConstantShare * mean) build(0);
+    if (density == Density::Compensated && mean > 0 && meanWeight <= kConstantShare * mean)
+        build(0);
     if (bands_.back() > 0) pdfPerWeight_ = image_->width / (2 * kPi * bands_.back());
 }
 
@@ -138,7 +139,9 @@ void EnvironmentMap::computeWeights(double threshold) {
             const double y709 = luminance(texel(x, y));
             // Written so that NaN gives 0.
             const double above =
-                y709 > threshold ? std::min<double>(y709, std::numeric_limits<float>::max()) - threshold : 0.0;
+                y709 > threshold
+                    ? std::min<double>(y709, std::numeric_limits<float>::max()) - threshold
+                    : 0.0;
             weights_[static_cast<std::size_t>(i)] = static_cast<float>(above);
         }
 }
@@ -175,12 +178,14 @@ void EnvironmentMap::computeMean() {
         squares += rowSquares * rowWeights[static_cast<std::size_t>(y)];
         const double theta = kPi * (y + 0.5) / height;
         direction += rowWeights[static_cast<std::size_t>(y)] *
-                     DVec3(std::sin(theta) * rowAround.x, std::cos(theta) * rowSquares, -std::sin(theta) * rowAround.y);
+                     DVec3(std::sin(theta) * rowAround.x, std::cos(theta) * rowSquares,
+                           -std::sin(theta) * rowAround.y);
     }
     mean_ = toFloat(sum / (2.0 * image_->width));
     const double mean = luminance(mean_), meanSquare = squares / (2.0 * image_->width);
     if (squares > 0) brightDirection_ = direction / squares;
-    if (mean > 0 && meanSquare > 0) brightSolidAngle_ = 4 * kPi * std::min(1.0, mean * mean / meanSquare);
+    if (mean > 0 && meanSquare > 0)
+        brightSolidAngle_ = 4 * kPi * std::min(1.0, mean * mean / meanSquare);
 }
 
 void EnvironmentMap::buildBlocks(int y) {
@@ -195,8 +200,9 @@ void EnvironmentMap::buildBlocks(int y) {
         left = right;
     }
     blocks_[next] = before;
-    fillGuide(std::span(blockGuides_).subspan(rowStart(y), static_cast<std::size_t>(blocksPerRow_ + 1)), before,
-              [row = blocks_.data() + rowStart(y)](int block) { return row[block]; });
+    fillGuide(
+        std::span(blockGuides_).subspan(rowStart(y), static_cast<std::size_t>(blocksPerRow_ + 1)),
+        before, [row = blocks_.data() + rowStart(y)](int block) { return row[block]; });
 }
 
 void EnvironmentMap::buildBands() {
@@ -213,7 +219,8 @@ void EnvironmentMap::buildBands() {
     }
     bandStarts_.emplace_back(0, -1);
     bandGuide_.resize(static_cast<std::size_t>(height) + 2);
-    fillGuide(bandGuide_, bands_.back(), [&](int band) { return bands_[static_cast<std::size_t>(band)]; });
+    fillGuide(bandGuide_, bands_.back(),
+              [&](int band) { return bands_[static_cast<std::size_t>(band)]; });
 }
 
 EnvironmentMap::Place EnvironmentMap::placeOf(const DVec3& d) const {
@@ -258,21 +265,30 @@ EnvironmentLookup EnvironmentMap::evaluate(const DVec3& direction) const {
 }
 
 PieceRange EnvironmentMap::blocksAt(double u, int y0, int y1) const {
-    const auto of = [&](int y) { return guided(std::span(blockGuides_).subspan(rowStart(y), static_cast<std::size_t>(blocksPerRow_ + 1)), u); };
+    const auto of = [&](int y) {
+        return guided(std::span(blockGuides_)
+                          .subspan(rowStart(y), static_cast<std::size_t>(blocksPerRow_ + 1)),
+                      u);
+    };
     const PieceRange a = of(y0), b = of(y1);
     return {std::min(a.first, b.first), std::max(a.last, b.last)};
 }
 
 void EnvironmentMap::prefetch(int block, int y) const {
     constexpr std::ptrdiff_t kLine = 64;
-    constexpr auto kTexelLines = static_cast<std::ptrdiff_t>(kBlock * 3 * sizeof(float)) / kLine + 1;
-    const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(image_->width) + static_cast<std::size_t>(block * kBlock);
+    constexpr auto kTexelLines =
+        static_cast<std::ptrdiff_t>(kBlock * 3 * sizeof(float)) / kLine + 1;
+    const std::size_t first =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(image_->width) +
+        static_cast<std::size_t>(block * kBlock);
     __builtin_prefetch(weights_.data() + first);
     const auto* texels = reinterpret_cast<const char*>(image_->rgb.data() + 3 * first);
-    for (std::ptrdiff_t line = 0; line < kTexelLines; ++line) __builtin_prefetch(texels + kLine * line);
+    for (std::ptrdiff_t line = 0; line < kTexelLines; ++line)
+        __builtin_prefetch(texels + kLine * line);
 }
 
-EnvironmentMap::Column EnvironmentMap::sampleColumn(double u, const PieceRange& blocks, int y0, int y1, double fy) const {
+EnvironmentMap::Column EnvironmentMap::sampleColumn(double u, const PieceRange& blocks, int y0,
+                                                    int y1, double fy) const {
     const double* upper = blocks_.data() + rowStart(y0);
     const double* lower = blocks_.data() + rowStart(y1);
     const auto before = [&](int block) { return (1 - fy) * upper[block] + fy * lower[block]; };
@@ -280,10 +296,13 @@ EnvironmentMap::Column EnvironmentMap::sampleColumn(double u, const PieceRange& 
     const int block = lastFrom(blocks, target, before);
 
     const int width = image_->width, last = std::min((block + 1) * kBlock, width) - 1;
-    const float* upperWeights = weights_.data() + static_cast<std::size_t>(y0) * static_cast<std::size_t>(width);
-    const float* lowerWeights = weights_.data() + static_cast<std::size_t>(y1) * static_cast<std::size_t>(width);
+    const float* upperWeights =
+        weights_.data() + static_cast<std::size_t>(y0) * static_cast<std::size_t>(width);
+    const float* lowerWeights =
+        weights_.data() + static_cast<std::size_t>(y1) * static_cast<std::size_t>(width);
     const auto blended = [&](int x) {
-        return (1 - fy) * static_cast<double>(upperWeights[x]) + fy * static_cast<double>(lowerWeights[x]);
+        return (1 - fy) * static_cast<double>(upperWeights[x]) +
+               fy * static_cast<double>(lowerWeights[x]);
     };
     double sum = before(block), left = blended(block * kBlock);
     for (int x = block * kBlock;; ++x) {
@@ -299,11 +318,13 @@ EnvironmentMap::Column EnvironmentMap::sampleColumn(double u, const PieceRange& 
     }
 }
 
-// Not by an alias table: 64 stratified samples of one err 2 to 5.7 times as much in the same time (glint-bench environment).
+// Not by an alias table: 64 stratified samples of one err 2 to 5.7 times as much in the same time
+// (glint-bench environment).
 EnvironmentSample EnvironmentMap::sample(const Vec2& u) const {
     if (pdfPerWeight_ == 0) return {};
     const double target = static_cast<double>(u.y) * bands_.back();
-    const int index = lastFrom(guided(bandGuide_, static_cast<double>(u.y)), target, [&](int i) { return bands_[static_cast<std::size_t>(i)]; });
+    const int index = lastFrom(guided(bandGuide_, static_cast<double>(u.y)), target,
+                               [&](int i) { return bands_[static_cast<std::size_t>(i)]; });
     const Band band = bandOf(index, image_->height);
     const PieceRange blocks = blocksAt(static_cast<double>(u.x), band.upper, band.lower);
     for (const int y : {band.upper, band.lower}) prefetch(blocks.first, y);
@@ -311,15 +332,18 @@ EnvironmentSample EnvironmentMap::sample(const Vec2& u) const {
                  mass = bands_[static_cast<std::size_t>(index) + 1] - before,
                  share = std::clamp((target - before) / mass, 0.0, 1.0);
     const DVec2 start = bandStarts_[static_cast<std::size_t>(index)];
-    const double fy = invertBand(band, start.x, start.y, bandStarts_[static_cast<std::size_t>(index) + 1].x, rowIntegral(band.upper),
-                                 rowIntegral(band.lower), share, mass);
-    const Column column = sampleColumn(static_cast<double>(u.x), blocks, band.upper, band.lower, fy);
+    const double fy =
+        invertBand(band, start.x, start.y, bandStarts_[static_cast<std::size_t>(index) + 1].x,
+                   rowIntegral(band.upper), rowIntegral(band.lower), share, mass);
+    const Column column =
+        sampleColumn(static_cast<double>(u.x), blocks, band.upper, band.lower, fy);
 
     EnvironmentSample out;
     const double turn = (column.x0 + 0.5 + column.fx) / image_->width - 0.5;
     const SineMoments theta = sineMoments(start.x, start.y, fy * band.width);
     const DVec2 phi = cosSinTurn(turn);
-    out.direction = glm::normalize(DVec3(theta.sinEnd * phi.y, theta.cosEnd, -theta.sinEnd * phi.x));
+    out.direction =
+        glm::normalize(DVec3(theta.sinEnd * phi.y, theta.cosEnd, -theta.sinEnd * phi.x));
     out.pdf = column.weight * pdfPerWeight_;
     out.radiance = radianceAt({column.x0, column.x1, band.upper, band.lower, column.fx, fy});
     return out;

@@ -61,10 +61,11 @@ class EnvironmentMap {
     [[nodiscard]] const std::shared_ptr<const Image>& image() const { return image_; }
     /// Mean radiance over the sphere of directions.
     [[nodiscard]] Rgb meanRadiance() const { return mean_; }
-    /// The solid angle [sr] that most of the light comes from: (integral of L)^2 / integral of L^2, L the luminance; 4 pi where it
-    /// is the same from everywhere, and where there is none.
+    /// The solid angle [sr] that most of the light comes from: (integral of L)^2 / integral of L^2,
+    /// L the luminance; 4 pi where it is the same from everywhere, and where there is none.
     [[nodiscard]] double brightSolidAngle() const { return brightSolidAngle_; }
-    /// Mean of the directions weighted by L^2: where the bright part lies, the shorter the more it is spread out.
+    /// Mean of the directions weighted by L^2: where the bright part lies, the shorter the more it
+    /// is spread out.
     [[nodiscard]] const DVec3& brightDirection() const { return brightDirection_; }
 
   private:
@@ -85,10 +86,12 @@ class EnvironmentMap {
     [[nodiscard]] Rgb radianceAt(const Place& place) const;
     /// What the density is in proportion to at a texel's centre.
     [[nodiscard]] double weight(int x, int y) const {
-        return static_cast<double>(weights_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image_->width) +
-                                            static_cast<std::size_t>(x)]);
+        return static_cast<double>(
+            weights_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image_->width) +
+                     static_cast<std::size_t>(x)]);
     }
-    [[nodiscard]] Column sampleColumn(double u, const PieceRange& blocks, int y0, int y1, double fy) const;
+    [[nodiscard]] Column sampleColumn(double u, const PieceRange& blocks, int y0, int y1,
+                                      double fy) const;
     /// The blocks of columns that `u` can lie in between two rows.
     [[nodiscard]] PieceRange blocksAt(double u, int y0, int y1) const;
     /// Asks for the memory that a look-up in a block reads, long before it does.
@@ -110,8 +113,8 @@ class EnvironmentMap {
     Rgb mean_{0.0f};
     double brightSolidAngle_ = 4 * kPi;
     DVec3 brightDirection_{0.0};
-    /// height x width: luminance above the density's threshold. A third of the picture's memory, and a walk along a row
-    /// reads a twelfth of what the texels themselves would take.
+    /// height x width: luminance above the density's threshold. A third of the picture's memory,
+    /// and a walk along a row reads a twelfth of what the texels themselves would take.
     std::vector<float> weights_;
     /// height x (blocks_ + 1): integral of a texel row's weights, linear between centres, from
     /// column 0's centre to the start of each block of columns, in texels. In double: one texel of
@@ -123,7 +126,8 @@ class EnvironmentMap {
     /// band lies between the centres of two texel rows, or between a pole and the row beside it.
     std::vector<double> bands_;
     std::vector<std::uint32_t> bandGuide_;  ///< into bands_
-    std::vector<DVec2> bandStarts_;  ///< sine and cosine of theta where each band starts, and at the end
+    std::vector<DVec2>
+        bandStarts_;  ///< sine and cosine of theta where each band starts, and at the end
     double pdfPerWeight_ = 0;
 };
 

@@ -14,7 +14,9 @@ struct PointLight {
     static constexpr std::string_view kind = "point";
     static constexpr auto fields() {
         return std::tuple{Field{"position", &PointLight::position, {.unit = "m", .doc = "Place"}},
-                          Field{"intensity", &PointLight::intensity, {.min = 0, .unit = "W/sr", .doc = "Radiant intensity"}}};
+                          Field{"intensity",
+                                &PointLight::intensity,
+                                {.min = 0, .unit = "W/sr", .doc = "Radiant intensity"}}};
     }
 };
 

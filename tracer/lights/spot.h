@@ -18,10 +18,22 @@ struct SpotLight {
     static constexpr auto fields() {
         return std::tuple{
             Field{"position", &SpotLight::position, {.unit = "m", .doc = "Place"}},
-            Field{"target", &SpotLight::target, {.unit = "m", .doc = "Point that the axis goes through"}},
-            Field{"intensity", &SpotLight::intensity, {.min = 0, .unit = "W/sr", .doc = "Radiant intensity on the axis"}},
-            Field{"cone_degrees", &SpotLight::coneDegrees, {.min = 0, .max = 180, .exclusiveMin = true, .unit = "deg", .doc = "Full angle of the cone"}},
-            Field{"blend", &SpotLight::blend, {.min = 0, .max = 1, .doc = "Share of the half angle over which the rim fades"}}};
+            Field{"target",
+                  &SpotLight::target,
+                  {.unit = "m", .doc = "Point that the axis goes through"}},
+            Field{"intensity",
+                  &SpotLight::intensity,
+                  {.min = 0, .unit = "W/sr", .doc = "Radiant intensity on the axis"}},
+            Field{"cone_degrees",
+                  &SpotLight::coneDegrees,
+                  {.min = 0,
+                   .max = 180,
+                   .exclusiveMin = true,
+                   .unit = "deg",
+                   .doc = "Full angle of the cone"}},
+            Field{"blend",
+                  &SpotLight::blend,
+                  {.min = 0, .max = 1, .doc = "Share of the half angle over which the rim fades"}}};
     }
 };
 

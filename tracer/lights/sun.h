@@ -15,9 +15,17 @@ struct SunLight {
     static constexpr std::string_view kind = "sun";
     static constexpr auto fields() {
         return std::tuple{
-            Field{"direction", &SunLight::direction, {.doc = "Direction in which the light travels"}},
-            Field{"irradiance", &SunLight::irradiance, {.min = 0, .unit = "W/m2", .doc = "On a plane that faces the sun"}},
-            Field{"angle_degrees", &SunLight::angleDegrees, {.min = 0, .max = 180, .unit = "deg", .doc = "Full angle of the disc; 0 is a single direction without a disc"}}};
+            Field{
+                "direction", &SunLight::direction, {.doc = "Direction in which the light travels"}},
+            Field{"irradiance",
+                  &SunLight::irradiance,
+                  {.min = 0, .unit = "W/m2", .doc = "On a plane that faces the sun"}},
+            Field{"angle_degrees",
+                  &SunLight::angleDegrees,
+                  {.min = 0,
+                   .max = 180,
+                   .unit = "deg",
+                   .doc = "Full angle of the disc; 0 is a single direction without a disc"}}};
     }
 };
 

@@ -14,8 +14,10 @@ BsdfBuilder::BsdfBuilder(const Scene& scene) : scene_(scene) {
             tooManyIndices_ = true;
     };
     scene.materials.forEach([&](MaterialId, const Material& material) {
-        if (const auto* glass = std::get_if<Glass>(&material.value); glass && !glass->thin) addIndex(glass->ior.value);
-        if (const auto* phong = std::get_if<Phong>(&material.value); phong && phong->refraction.value > 0)
+        if (const auto* glass = std::get_if<Glass>(&material.value); glass && !glass->thin)
+            addIndex(glass->ior.value);
+        if (const auto* phong = std::get_if<Phong>(&material.value);
+            phong && phong->refraction.value > 0)
             addIndex(phong->ior.value);
     });
 }
@@ -41,9 +43,13 @@ MaterialLeaves BsdfBuilder::build(MaterialId id) {
                 },
                 scene_.materials.at(part).value);
     }
-    const auto knowsIndices = [](const WeightedLeaf& weighted) { return std::visit([]<class Leaf>(const Leaf&) { return kKnowsIndices<Leaf>; }, weighted.leaf); };
+    const auto knowsIndices = [](const WeightedLeaf& weighted) {
+        return std::visit([]<class Leaf>(const Leaf&) { return kKnowsIndices<Leaf>; },
+                          weighted.leaf);
+    };
     if (tooManyIndices_ && std::any_of(out_.leaves.begin(), out_.leaves.end(), knowsIndices))
-        notBuilt("beside glass beyond the first " + std::to_string(kMostIndices - 1) + " refractive indices of the scene, it reflects as if in air");
+        notBuilt("beside glass beyond the first " + std::to_string(kMostIndices - 1) +
+                 " refractive indices of the scene, it reflects as if in air");
     return std::move(out_);
 }
 

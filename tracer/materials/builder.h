@@ -1,4 +1,5 @@
-// BsdfBuilder: collects the weighted leaves of one material while the document's materials describe themselves to it.
+// BsdfBuilder: collects the weighted leaves of one material while the document's materials describe
+// themselves to it.
 #pragma once
 
 #include <map>
@@ -35,7 +36,8 @@ class BsdfBuilder {
   public:
     explicit BsdfBuilder(const Scene& scene);
 
-    /// The leaves of a material. A mix is taken apart into what it blends, each once, however often mixes of mixes name it.
+    /// The leaves of a material. A mix is taken apart into what it blends, each once, however often
+    /// mixes of mixes name it.
     [[nodiscard]] MaterialLeaves build(MaterialId id);
 
     void add(const BsdfLeaf& leaf, const Rgb& weight) {
@@ -47,7 +49,8 @@ class BsdfBuilder {
     }
     void notBuilt(std::string what) { out_.notBuilt.push_back(std::move(what)); }
 
-    /// The refractive indices that a surface can stand in: 1, then those of the scene's dielectrics, at most kMostIndices.
+    /// The refractive indices that a surface can stand in: 1, then those of the scene's
+    /// dielectrics, at most kMostIndices.
     [[nodiscard]] std::span<const float> surroundings() const { return indices_; }
     /// Index `n` over each of the surroundings'.
     [[nodiscard]] std::vector<float> ratiosTo(float n) const;

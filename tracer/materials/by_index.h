@@ -1,4 +1,5 @@
-// What a leaf works out for each refractive index that can meet it in the scene: when it first meets it.
+// What a leaf works out for each refractive index that can meet it in the scene: when it first
+// meets it.
 #pragma once
 
 #include <cmath>
@@ -11,21 +12,23 @@
 
 namespace glint {
 
-/// Values by an index, or by a ratio of two, shared by the copies of a leaf. Each is made by the thread that first asks for it;
-/// others that ask meanwhile wait.
+/// Values by an index, or by a ratio of two, shared by the copies of a leaf. Each is made by the
+/// thread that first asks for it; others that ask meanwhile wait.
 template <class T>
 class ByIndex {
   public:
     using Make = std::function<T(float index)>;
 
-    ByIndex(std::span<const float> indices, Make make) : made_(std::make_shared<Made>(indices, std::move(make))) {}
+    ByIndex(std::span<const float> indices, Make make)
+        : made_(std::make_shared<Made>(indices, std::move(make))) {}
     /// The value of the nearest index; there must be one.
     [[nodiscard]] const T& nearest(float index) const { return made_->value(*at(index)); }
     /// The value of this index, to a rounding or two; null where it is none of those given.
     [[nodiscard]] const T* find(float index) const {
         constexpr float kSame = 1e-5f;
         Entry* entry = at(index);
-        return entry && std::abs(entry->index - index) <= kSame * index ? &made_->value(*entry) : nullptr;
+        return entry && std::abs(entry->index - index) <= kSame * index ? &made_->value(*entry)
+                                                                        : nullptr;
     }
 
   private:
@@ -49,7 +52,8 @@ class ByIndex {
     [[nodiscard]] Entry* at(float index) const {
         Entry* best = nullptr;
         for (Entry& entry : made_->entries)
-            if (!best || std::abs(entry.index - index) < std::abs(best->index - index)) best = &entry;
+            if (!best || std::abs(entry.index - index) < std::abs(best->index - index))
+                best = &entry;
         return best;
     }
 

@@ -29,7 +29,8 @@ struct Diffuse {
     bool operator==(const Diffuse&) const = default;
     static constexpr std::string_view kind = "diffuse";
     static constexpr auto fields() {
-        return std::tuple{Field{"color", &Diffuse::color, {.min = 0, .max = 1, .doc = "Share of light reflected"}}};
+        return std::tuple{Field{
+            "color", &Diffuse::color, {.min = 0, .max = 1, .doc = "Share of light reflected"}}};
     }
     template <class Builder>
     void compile(Builder& builder, const Rgb& weight) const {

@@ -28,11 +28,23 @@ struct Glass {
     static constexpr std::string_view kind = "glass";
     static constexpr auto fields() {
         return std::tuple{
-            Field{"ior", &Glass::ior, {.min = 0, .max = 100, .exclusiveMin = true, .doc = "Refractive index"}},
-            Field{"absorption", &Glass::absorption, {.min = 0, .unit = "1/m", .doc = "Inside, light fades by exp(-absorption * distance)"}},
-            Field{"roughness", &Glass::roughness, {.min = 0, .max = 1, .doc = "0 polished, 1 matt; alpha is its square"}},
+            Field{"ior",
+                  &Glass::ior,
+                  {.min = 0, .max = 100, .exclusiveMin = true, .doc = "Refractive index"}},
+            Field{"absorption",
+                  &Glass::absorption,
+                  {.min = 0,
+                   .unit = "1/m",
+                   .doc = "Inside, light fades by exp(-absorption * distance)"}},
+            Field{"roughness",
+                  &Glass::roughness,
+                  {.min = 0, .max = 1, .doc = "0 polished, 1 matt; alpha is its square"}},
             Field{"thin", &Glass::thin, {.doc = "A sheet: no offset and no absorption"}},
-            Field{"priority", &Glass::priority, {.min = -1000, .max = 1000, .doc = "Where dielectrics overlap, the higher one fills"}}};
+            Field{"priority",
+                  &Glass::priority,
+                  {.min = -1000,
+                   .max = 1000,
+                   .doc = "Where dielectrics overlap, the higher one fills"}}};
     }
     template <class Builder>
     void compile(Builder& builder, const Rgb& weight) const {

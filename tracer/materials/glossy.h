@@ -36,8 +36,7 @@ class PolishedGlossyBsdf {
         return {wi, value(wo, wi, eta)};
     }
     [[nodiscard]] int branches(const Vec3& wo, float around, DeltaBranch* out) const {
-        const float reflectance =
-            fresnelDielectric(std::abs(wo.z), coats_.nearest(around).eta);
+        const float reflectance = fresnelDielectric(std::abs(wo.z), coats_.nearest(around).eta);
         out[0] = {mirrored(wo), Rgb(reflectance)};
         return reflectance > 0 ? 1 : 0;
     }

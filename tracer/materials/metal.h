@@ -68,8 +68,7 @@ class MetalBsdf {
     [[nodiscard]] BsdfValue value(const ReflectionPair& p, double lost) const {
         const float single = static_cast<float>(ggx_.d(p.h) * ggx_.visibility(p.o, p.i));
         const float white = static_cast<float>(schlickWeight(p.cosHalf));
-        const float multiple =
-            static_cast<float>(lost * loss_(p.i.z) * multipleScale_);
+        const float multiple = static_cast<float>(lost * loss_(p.i.z) * multipleScale_);
         const double share = multipleShare(lost);
         return {(color_ + (Rgb(1.0f) - color_) * white) * single + multiple_ * multiple,
                 static_cast<float>((1 - share) * ggx_.reflectionPdf(p.o, p.h) +

@@ -24,7 +24,8 @@ struct Mirror {
     bool operator==(const Mirror&) const = default;
     static constexpr std::string_view kind = "mirror";
     static constexpr auto fields() {
-        return std::tuple{Field{"color", &Mirror::color, {.min = 0, .max = 1, .doc = "Share of light reflected"}}};
+        return std::tuple{Field{
+            "color", &Mirror::color, {.min = 0, .max = 1, .doc = "Share of light reflected"}}};
     }
     template <class Builder>
     void compile(Builder& builder, const Rgb& weight) const {

@@ -1,4 +1,5 @@
-// Mix: a blend of two materials, or of one and "clear" (straight through), linear in the BSDF. BsdfBuilder takes it apart.
+// Mix: a blend of two materials, or of one and "clear" (straight through), linear in the BSDF.
+// BsdfBuilder takes it apart.
 #pragma once
 
 #include "tracer/base/reflect.h"
@@ -24,9 +25,10 @@ struct Mix {
     bool operator==(const Mix&) const = default;
     static constexpr std::string_view kind = "mix";
     static constexpr auto fields() {
-        return std::tuple{Field{"a", &Mix::a, {.required = true, .doc = "Material at amount 0, or clear"}},
-                          Field{"b", &Mix::b, {.required = true, .doc = "Material at amount 1, or clear"}},
-                          Field{"amount", &Mix::amount, {.min = 0, .max = 1, .doc = "0 is all a, 1 is all b"}}};
+        return std::tuple{
+            Field{"a", &Mix::a, {.required = true, .doc = "Material at amount 0, or clear"}},
+            Field{"b", &Mix::b, {.required = true, .doc = "Material at amount 1, or clear"}},
+            Field{"amount", &Mix::amount, {.min = 0, .max = 1, .doc = "0 is all a, 1 is all b"}}};
     }
 };
 

@@ -1,5 +1,6 @@
-// Phong: the material of the original report. f = color * diffuse / pi + specular * (n+2) / (2 pi) * cos^n, a mirror ray and a
-// refracted ray, without Fresnel's law. If the shares sum to more than 1, all are divided by the sum.
+// Phong: the material of the original report. f = color * diffuse / pi + specular * (n+2) / (2 pi)
+// * cos^n, a mirror ray and a refracted ray, without Fresnel's law. If the shares sum to more than
+// 1, all are divided by the sum.
 #pragma once
 
 #include "tracer/base/reflect.h"
@@ -9,8 +10,9 @@
 
 namespace glint {
 
-/// The highlight: f = (n+2)/(2 pi) cos^n(alpha), alpha from the mirrored direction. Its albedo is 1 at normal incidence and less
-/// elsewhere (Lafortune and Willems, "Using the modified Phong reflectance model", 1994).
+/// The highlight: f = (n+2)/(2 pi) cos^n(alpha), alpha from the mirrored direction. Its albedo is 1
+/// at normal incidence and less elsewhere (Lafortune and Willems, "Using the modified Phong
+/// reflectance model", 1994).
 struct PhongBsdf {
     static constexpr bool kSmooth = true, kDelta = false;
     float exponent;
@@ -21,20 +23,27 @@ struct PhongBsdf {
         return {sameSide(wo, wi) ? Rgb((exponent + 2) * power) : Rgb(0.0f), (exponent + 1) * power};
     }
     /// cos^n falls off as GGX of this alpha.
-    [[nodiscard]] Gloss gloss() const { return {std::sqrt(2.0 / (static_cast<double>(exponent) + 2)), 1}; }
+    [[nodiscard]] Gloss gloss() const {
+        return {std::sqrt(2.0 / (static_cast<double>(exponent) + 2)), 1};
+    }
     [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float eta) const {
         const double cosine = std::pow(1.0 - static_cast<double>(u.x), 1.0 / (exponent + 1.0));
         const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine)), phi = 2 * kPi * u.y;
-        const Vec3 wi = toFloat(Frame(toDouble(mirrored(wo))).toWorld(DVec3(sine * std::cos(phi), sine * std::sin(phi), cosine)));
+        const Vec3 wi =
+            toFloat(Frame(toDouble(mirrored(wo)))
+                        .toWorld(DVec3(sine * std::cos(phi), sine * std::sin(phi), cosine)));
         return {wi, value(wo, wi, eta)};
     }
 
   private:
-    /// cos^n by way of 1 - cos = |r - wi|^2 / 2: a float cosine near 1 would be wrong by 6 % at an exponent of 1e6.
+    /// cos^n by way of 1 - cos = |r - wi|^2 / 2: a float cosine near 1 would be wrong by 6 % at an
+    /// exponent of 1e6.
     [[nodiscard]] float lobe(const Vec3& wo, const Vec3& wi) const {
         const DVec3 chord = toDouble(mirrored(wo)) - toDouble(wi);
         const double oneMinusCosine = 0.5 * glm::dot(chord, chord);
-        return oneMinusCosine < 1 ? static_cast<float>(std::exp(exponent * std::log1p(-oneMinusCosine))) : 0.0f;
+        return oneMinusCosine < 1
+                   ? static_cast<float>(std::exp(exponent * std::log1p(-oneMinusCosine)))
+                   : 0.0f;
     }
 };
 
@@ -64,14 +73,35 @@ struct Phong {
     static constexpr std::string_view kind = "phong";
     static constexpr auto fields() {
         return std::tuple{
-            Field{"color", &Phong::color, {.min = 0, .max = 1, .doc = "Tints the diffuse and the mirror part"}},
-            Field{"diffuse", &Phong::diffuse, {.min = 0, .max = 1, .doc = "Share of Lambert's reflection"}},
-            Field{"specular", &Phong::specular, {.min = 0, .max = 1, .doc = "Share of the highlight"}},
-            Field{"exponent", &Phong::exponent, {.min = 0, .max = 1e6, .doc = "Sharpness of the highlight"}},
-            Field{"reflection", &Phong::reflection, {.min = 0, .max = 1, .doc = "Share of the mirror ray"}},
-            Field{"refraction", &Phong::refraction, {.min = 0, .max = 1, .doc = "Share of the refracted ray"}},
-            Field{"ior", &Phong::ior, {.min = 0, .max = 100, .exclusiveMin = true, .doc = "Refractive index of the inside"}},
-            Field{"absorption", &Phong::absorption, {.min = 0, .unit = "1/m", .doc = "Inside, light fades by exp(-absorption * distance)"}}};
+            Field{"color",
+                  &Phong::color,
+                  {.min = 0, .max = 1, .doc = "Tints the diffuse and the mirror part"}},
+            Field{"diffuse",
+                  &Phong::diffuse,
+                  {.min = 0, .max = 1, .doc = "Share of Lambert's reflection"}},
+            Field{"specular",
+                  &Phong::specular,
+                  {.min = 0, .max = 1, .doc = "Share of the highlight"}},
+            Field{"exponent",
+                  &Phong::exponent,
+                  {.min = 0, .max = 1e6, .doc = "Sharpness of the highlight"}},
+            Field{"reflection",
+                  &Phong::reflection,
+                  {.min = 0, .max = 1, .doc = "Share of the mirror ray"}},
+            Field{"refraction",
+                  &Phong::refraction,
+                  {.min = 0, .max = 1, .doc = "Share of the refracted ray"}},
+            Field{"ior",
+                  &Phong::ior,
+                  {.min = 0,
+                   .max = 100,
+                   .exclusiveMin = true,
+                   .doc = "Refractive index of the inside"}},
+            Field{"absorption",
+                  &Phong::absorption,
+                  {.min = 0,
+                   .unit = "1/m",
+                   .doc = "Inside, light fades by exp(-absorption * distance)"}}};
     }
     template <class Builder>
     void compile(Builder& builder, const Rgb& weight) const {

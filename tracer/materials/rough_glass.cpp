@@ -39,7 +39,10 @@ std::vector<float> bothWays(std::span<const float> ratios) {
 }  // namespace
 
 RoughGlassBsdf::RoughGlassBsdf(float alpha, std::span<const float> etas)
-    : alpha_(alpha), ggx_(alpha), multipleLobe_(alpha), multiple_(bothWays(etas), [alpha](float eta) { return Multiple(alpha, eta); }) {}
+    : alpha_(alpha),
+      ggx_(alpha),
+      multipleLobe_(alpha),
+      multiple_(bothWays(etas), [alpha](float eta) { return Multiple(alpha, eta); }) {}
 
 BsdfValue RoughGlassBsdf::value(const Vec3& wo, const Vec3& wi, float eta) const {
     if (isSmooth(eta)) return {};
@@ -61,8 +64,7 @@ BsdfValue RoughGlassBsdf::reflected(const DVec3& o, const DVec3& i, double eta) 
                                lost * (1 - multiple->across()) * multipleLobe_.pdf(i.z))};
 }
 
-BsdfValue RoughGlassBsdf::transmitted(const DVec3& o, const DVec3& i,
-                                                  double eta) const {
+BsdfValue RoughGlassBsdf::transmitted(const DVec3& o, const DVec3& i, double eta) const {
     double single = 0, pdf = 0;
     DVec3 h = eta * o + i;
     h /= std::sqrt(glm::dot(h, h));
@@ -113,7 +115,11 @@ RoughThinGlassBsdf::Reflectance::Reflectance(double ratio) : eta(ratio) {
 }
 
 RoughThinGlassBsdf::RoughThinGlassBsdf(float ior, float alpha, std::span<const float> around)
-    : ior_(ior), ggx_(alpha), multipleLobe_(alpha), loss_(alpha), reflectance_(around, [ior](float index) { return Reflectance(index / ior); }) {}
+    : ior_(ior),
+      ggx_(alpha),
+      multipleLobe_(alpha),
+      loss_(alpha),
+      reflectance_(around, [ior](float index) { return Reflectance(index / ior); }) {}
 
 BsdfValue RoughThinGlassBsdf::value(const Vec3& wo, const Vec3& wi, float around) const {
     const bool back = sameSide(wo, wi);

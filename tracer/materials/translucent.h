@@ -20,7 +20,8 @@ class TranslucentBsdf {
     [[nodiscard]] Rgb albedo() const { return reflectance_ + transmittance_; }
     [[nodiscard]] BsdfValue value(const Vec3& wo, const Vec3& wi, float) const {
         const bool back = sameSide(wo, wi);
-        return {(back ? reflectance_ : transmittance_) * (1 / kPiF), (back ? pickReflection_ : 1 - pickReflection_) * std::abs(wi.z) * (1 / kPiF)};
+        return {(back ? reflectance_ : transmittance_) * (1 / kPiF),
+                (back ? pickReflection_ : 1 - pickReflection_) * std::abs(wi.z) * (1 / kPiF)};
     }
     [[nodiscard]] BsdfSample sample(const Vec3& wo, const Vec3& u, float eta) const {
         const Vec3 wi = cosineOnSideOf(u.z < pickReflection_ ? wo : -wo, {u.x, u.y});
@@ -40,12 +41,19 @@ struct Translucent {
     static constexpr std::string_view kind = "translucent";
     static constexpr auto fields() {
         return std::tuple{
-            Field{"reflectance", &Translucent::reflectance, {.min = 0, .max = 1, .doc = "Share sent back to the lit side"}},
-            Field{"transmittance", &Translucent::transmittance, {.min = 0, .max = 1, .doc = "Share sent to the other side; with the reflectance at most 1"}}};
+            Field{"reflectance",
+                  &Translucent::reflectance,
+                  {.min = 0, .max = 1, .doc = "Share sent back to the lit side"}},
+            Field{"transmittance",
+                  &Translucent::transmittance,
+                  {.min = 0,
+                   .max = 1,
+                   .doc = "Share sent to the other side; with the reflectance at most 1"}}};
     }
     template <class Builder>
     void compile(Builder& builder, const Rgb& weight) const {
-        builder.add(TranslucentBsdf(builder.value(reflectance), builder.value(transmittance)), weight);
+        builder.add(TranslucentBsdf(builder.value(reflectance), builder.value(transmittance)),
+                    weight);
     }
 };
 

@@ -12,17 +12,21 @@ struct Turn {
     double h, slope;
 };
 Turn turnAt(const ChainEnds& ends, double n, int chords, double sine, double cosine, double angle) {
-    const auto along = [&](double s) { return DVec2(std::asin(s * sine), s * cosine / std::sqrt(1 - s * s * sine * sine)); };
+    const auto along = [&](double s) {
+        return DVec2(std::asin(s * sine), s * cosine / std::sqrt(1 - s * s * sine * sine));
+    };
     const DVec2 x = along(ends.sx), y = ends.sy > 0 ? along(ends.sy) : DVec2(0.0);
     const DVec2 inside = chords > 0 ? 2.0 * chords * along(1 / n) : DVec2(0.0);
     return {2 * angle - x.x - y.x - inside.x, 2 - x.y - y.y - inside.y};
 }
 
-/// Newton's method from `start`, which lies on the side of the root where all steps go one way. False: there is no root, which
-/// shows when the slope changes its sign.
-bool solve(const ChainEnds& ends, double n, int chords, double target, double start, BallChain& out) {
+/// Newton's method from `start`, which lies on the side of the root where all steps go one way.
+/// False: there is no root, which shows when the slope changes its sign.
+bool solve(const ChainEnds& ends, double n, int chords, double target, double start,
+           BallChain& out) {
     constexpr int kMaxSteps = 40;
-    constexpr double kTolerance = 1e-9;  // Convergence is quadratic: after such a step the error is 1e-17 but at folds.
+    constexpr double kTolerance =
+        1e-9;  // Convergence is quadratic: after such a step the error is 1e-17 but at folds.
     double angle = start, rising = 0;
     for (int step = 0; step < kMaxSteps; ++step) {
         if (!(angle >= 0 && angle <= kPi / 2 + kTolerance)) return false;
@@ -45,7 +49,8 @@ bool solve(const ChainEnds& ends, double n, int chords, double target, double st
 
 }  // namespace
 
-int findBallChains(const ChainEnds& ends, double n, int chords, std::array<BallChain, kMaxBallChains>& out) {
+int findBallChains(const ChainEnds& ends, double n, int chords,
+                   std::array<BallChain, kMaxBallChains>& out) {
     const double theta = std::atan2(ends.sine, ends.cosine);
     const double atZero = 2 - ends.sx - ends.sy - 2 * chords / n * (chords > 0 ? 1 : 0);
     const double atRight = turnAt(ends, n, chords, 1, 0, kPi / 2).h;
@@ -64,7 +69,9 @@ int findBallChains(const ChainEnds& ends, double n, int chords, std::array<BallC
         }
     };
     switch (chords) {
-        case 0: find(theta, 1); break;
+        case 0:
+            find(theta, 1);
+            break;
         case 1:
             find(theta - kPi, 1);
             find(kPi - theta, -1);

@@ -5,8 +5,9 @@
 
 namespace glint {
 
-/// Density per solid angle in proportion to 1 / (width^2 + q)^2, q the square of the distance on the unit sphere to the axis. What
-/// GGX of alpha reflects of a narrow beam that comes down the normal has this form with width 2 alpha.
+/// Density per solid angle in proportion to 1 / (width^2 + q)^2, q the square of the distance on
+/// the unit sphere to the axis. What GGX of alpha reflects of a narrow beam that comes down the
+/// normal has this form with width 2 alpha.
 class ChordLobe {
   public:
     /// `axis` has unit length; width2 > 0 is the square of the width.
@@ -24,7 +25,9 @@ class ChordLobe {
     }
 
   private:
-    [[nodiscard]] double density(double q) const { return width2_ * (width2_ + 4) / (4 * kPi * (width2_ + q) * (width2_ + q)); }
+    [[nodiscard]] double density(double q) const {
+        return width2_ * (width2_ + 4) / (4 * kPi * (width2_ + q) * (width2_ + q));
+    }
 
     DVec3 axis_;
     double width2_;

@@ -19,8 +19,13 @@ class DiscreteChoice {
         if (!ends_.empty()) ends_.back() = 1;
     }
     /// The choice at `u` in [0, 1).
-    [[nodiscard]] std::size_t pick(double u) const { return static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end() - 1, u) - ends_.begin()); }
-    [[nodiscard]] double probability(std::size_t i) const { return ends_[i] - (i ? ends_[i - 1] : 0.0); }
+    [[nodiscard]] std::size_t pick(double u) const {
+        return static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end() - 1, u) -
+                                        ends_.begin());
+    }
+    [[nodiscard]] double probability(std::size_t i) const {
+        return ends_[i] - (i ? ends_[i - 1] : 0.0);
+    }
 
   private:
     std::vector<double> ends_;  ///< sums of the weights so far, over all of them

@@ -5,8 +5,8 @@
 
 namespace glint {
 
-/// Right-handed orthonormal basis with local z along `n`. Source: Duff et al., "Building an Orthonormal Basis,
-/// Revisited", JCGT 6(1), 2017.
+/// Right-handed orthonormal basis with local z along `n`. Source: Duff et al., "Building an
+/// Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 struct Frame {
     DVec3 s{1, 0, 0}, t{0, 1, 0}, n{0, 0, 1};
 
@@ -21,7 +21,9 @@ struct Frame {
 
     [[nodiscard]] DVec3 toWorld(const DVec3& v) const { return v.x * s + v.y * t + v.z * n; }
     [[nodiscard]] DVec3 toWorld(const Vec3& v) const { return toWorld(toDouble(v)); }
-    [[nodiscard]] DVec3 toLocal(const DVec3& v) const { return {glm::dot(v, s), glm::dot(v, t), glm::dot(v, n)}; }
+    [[nodiscard]] DVec3 toLocal(const DVec3& v) const {
+        return {glm::dot(v, s), glm::dot(v, t), glm::dot(v, n)};
+    }
 };
 
 }  // namespace glint

@@ -1,5 +1,6 @@
-// Finding the piece that holds a place among many laid end to end in about two steps: a table says between which to look (Chen,
-// Asau, "On Generating Random Variates from an Empirical Distribution", AIIE Transactions 6(2), 1974: the guide table method).
+// Finding the piece that holds a place among many laid end to end in about two steps: a table says
+// between which to look (Chen, Asau, "On Generating Random Variates from an Empirical
+// Distribution", AIIE Transactions 6(2), 1974: the guide table method).
 #pragma once
 
 #include <algorithm>
@@ -13,8 +14,8 @@ struct PieceRange {
     int first, last;
 };
 
-/// Of `count` pieces that reach from 0 to `total`, those in which each share 0, 1 / count ... 1 of the whole lies: guide.size() is
-/// count + 1.
+/// Of `count` pieces that reach from 0 to `total`, those in which each share 0, 1 / count ... 1 of
+/// the whole lies: guide.size() is count + 1.
 template <class StartOf>
 void fillGuide(std::span<std::uint32_t> guide, double total, const StartOf& startOf) {
     const int count = static_cast<int>(guide.size()) - 1;
@@ -33,7 +34,8 @@ void fillGuide(std::span<std::uint32_t> guide, double total, const StartOf& star
     return {static_cast<int>(guide[k]), static_cast<int>(guide[k + 1])};
 }
 
-/// The last piece of the range that starts at or before the target; the first where none does. Without branches but for the length.
+/// The last piece of the range that starts at or before the target; the first where none does.
+/// Without branches but for the length.
 template <class StartOf>
 [[nodiscard]] int lastFrom(const PieceRange& range, double target, const StartOf& startOf) {
     int last = range.first;

@@ -10,7 +10,8 @@ using namespace sobol;
 
 using Lanes = std::uint32_t __attribute__((vector_size(16)));
 
-/// Direction numbers of the first four dimensions with their bits reversed, as the scrambling hash wants them.
+/// Direction numbers of the first four dimensions with their bits reversed, as the scrambling hash
+/// wants them.
 constexpr std::array<std::array<std::uint32_t, 32>, 4> reversedDirections() {
     struct Start {
         unsigned degree, coefficients;
@@ -41,7 +42,8 @@ constexpr std::array<std::array<std::uint32_t, 32>, 4> reversedDirections() {
     return v;
 }
 
-/// XOR of direction numbers for every value of each byte of the bit-reversed index; four dimensions side by side.
+/// XOR of direction numbers for every value of each byte of the bit-reversed index; four dimensions
+/// side by side.
 struct ByteTables {
     alignas(16) std::uint32_t entry[4][256][4];
 };
@@ -52,7 +54,8 @@ constexpr ByteTables makeByteTables() {
         for (unsigned value = 0; value < 256; ++value)
             for (unsigned bit = 0; bit < 8; ++bit)
                 if ((value >> bit) & 1)
-                    for (unsigned d = 0; d < 4; ++d) tables.entry[byte][value][d] ^= v[d][31 - (8 * byte + bit)];
+                    for (unsigned d = 0; d < 4; ++d)
+                        tables.entry[byte][value][d] ^= v[d][31 - (8 * byte + bit)];
     return tables;
 }
 inline constexpr ByteTables kTables = makeByteTables();
@@ -68,37 +71,60 @@ inline Lanes pointAt(std::uint32_t index) {
 }
 
 /// 24 bits to [0, 1).
-inline float numberOf(std::uint32_t bits) { return static_cast<float>(static_cast<std::int32_t>(bits)) * 0x1p-24f; }
+inline float numberOf(std::uint32_t bits) {
+    return static_cast<float>(static_cast<std::int32_t>(bits)) * 0x1p-24f;
+}
 
-[[gnu::always_inline]] inline SampleBlock makeBlock(std::uint32_t key, std::uint32_t reversedIndex) {
+[[gnu::always_inline]] inline SampleBlock makeBlock(std::uint32_t key,
+                                                    std::uint32_t reversedIndex) {
     const Lanes point = pointAt(scramble(reversedIndex, key)), seeds = mix(key + Lanes{1, 2, 3, 4});
     const Lanes bits = reverseBits(scramble(point, seeds)) >> 8;
     return {numberOf(bits[0]), numberOf(bits[1]), numberOf(bits[2]), numberOf(bits[3])};
 }
 
-[[gnu::always_inline]] inline std::array<SampleBlock, 2> makeBlocks(std::uint32_t first, std::uint32_t second, std::uint32_t reversedIndex) {
+[[gnu::always_inline]] inline std::array<SampleBlock, 2> makeBlocks(std::uint32_t first,
+                                                                    std::uint32_t second,
+                                                                    std::uint32_t reversedIndex) {
     return {makeBlock(first, reversedIndex), makeBlock(second, reversedIndex)};
 }
 
-/// The same integers on every processor; AVX2 multiplies them in fewer steps (42 against 30 ns a block).
+/// The same integers on every processor; AVX2 multiplies them in fewer steps (42 against 30 ns a
+/// block).
 struct Makers {
     SampleBlock (*one)(std::uint32_t, std::uint32_t);
     std::array<SampleBlock, 2> (*two)(std::uint32_t, std::uint32_t, std::uint32_t);
 };
-SampleBlock makeBlockAnywhere(std::uint32_t key, std::uint32_t index) { return makeBlock(key, index); }
-std::array<SampleBlock, 2> makeBlocksAnywhere(std::uint32_t a, std::uint32_t b, std::uint32_t index) { return makeBlocks(a, b, index); }
+SampleBlock makeBlockAnywhere(std::uint32_t key, std::uint32_t index) {
+    return makeBlock(key, index);
+}
+std::array<SampleBlock, 2> makeBlocksAnywhere(std::uint32_t a, std::uint32_t b,
+                                              std::uint32_t index) {
+    return makeBlocks(a, b, index);
+}
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) SampleBlock makeBlockAvx2(std::uint32_t key, std::uint32_t index) { return makeBlock(key, index); }
-__attribute__((target("avx2"))) std::array<SampleBlock, 2> makeBlocksAvx2(std::uint32_t a, std::uint32_t b, std::uint32_t index) { return makeBlocks(a, b, index); }
-const Makers kMakers = __builtin_cpu_supports("avx2") ? Makers{makeBlockAvx2, makeBlocksAvx2} : Makers{makeBlockAnywhere, makeBlocksAnywhere};
+__attribute__((target("avx2"))) SampleBlock makeBlockAvx2(std::uint32_t key, std::uint32_t index) {
+    return makeBlock(key, index);
+}
+__attribute__((target("avx2"))) std::array<SampleBlock, 2> makeBlocksAvx2(std::uint32_t a,
+                                                                          std::uint32_t b,
+                                                                          std::uint32_t index) {
+    return makeBlocks(a, b, index);
+}
+const Makers kMakers = __builtin_cpu_supports("avx2")
+                           ? Makers{makeBlockAvx2, makeBlocksAvx2}
+                           : Makers{makeBlockAnywhere, makeBlocksAnywhere};
 #else
 const Makers kMakers{makeBlockAnywhere, makeBlocksAnywhere};
 #endif
 
 }  // namespace
 
-SampleBlock Sampler::block(std::uint32_t block) const { return kMakers.one(keyOf(block), reversedIndex_); }
+SampleBlock Sampler::block(std::uint32_t block) const {
+    return kMakers.one(keyOf(block), reversedIndex_);
+}
 
-std::array<SampleBlock, 2> Sampler::blocks(std::uint32_t first, std::uint32_t second) const { return kMakers.two(keyOf(first), keyOf(second), reversedIndex_); }
+std::array<SampleBlock, 2> Sampler::blocks(std::uint32_t first, std::uint32_t second) const {
+    return kMakers.two(keyOf(first), keyOf(second), reversedIndex_);
+}
 
 }  // namespace glint

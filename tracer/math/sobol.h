@@ -1,8 +1,9 @@
-// Sample numbers: Owen-scrambled Sobol points in padded blocks of four dimensions, all computed from
-// (seed, pixel, sample, block) alone. The order of work therefore never changes a picture.
+// Sample numbers: Owen-scrambled Sobol points in padded blocks of four dimensions, all computed
+// from (seed, pixel, sample, block) alone. The order of work therefore never changes a picture.
 //
-// Sources: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; direction numbers of Joe and Kuo (2008); the
-// scrambling hash is Vegdahl's improvement of Laine and Karras's (psychopath.io, "Building a Better LK Hash", 2022).
+// Sources: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; direction numbers of
+// Joe and Kuo (2008); the scrambling hash is Vegdahl's improvement of Laine and Karras's
+// (psychopath.io, "Building a Better LK Hash", 2022).
 #pragma once
 
 #include <array>
@@ -49,21 +50,27 @@ template <class T>
 
 }  // namespace sobol
 
-/// The numbers of one sample of one pixel. Even samples belong to half A of the film and odd ones to half B; the halves are
-/// scrambled independently, so that their difference is an honest measure of the error.
+/// The numbers of one sample of one pixel. Even samples belong to half A of the film and odd ones
+/// to half B; the halves are scrambled independently, so that their difference is an honest measure
+/// of the error.
 class Sampler {
   public:
     Sampler(std::uint32_t seed, std::uint32_t pixel, std::uint32_t sample)
-        : key_(sobol::mix(sobol::mix(seed * 2 + (sample & 1) + 0x68bc21ebu) ^ sobol::mix(pixel + 0x02e5be93u))),
+        : key_(sobol::mix(sobol::mix(seed * 2 + (sample & 1) + 0x68bc21ebu) ^
+                          sobol::mix(pixel + 0x02e5be93u))),
           reversedIndex_(sobol::reverseBits(sample >> 1)) {}
 
-    /// The block number `block`: well stratified over the samples within itself, independent of all other blocks.
+    /// The block number `block`: well stratified over the samples within itself, independent of all
+    /// other blocks.
     [[nodiscard]] SampleBlock block(std::uint32_t block) const;
     /// Two blocks at once, for little more than the price of one.
-    [[nodiscard]] std::array<SampleBlock, 2> blocks(std::uint32_t first, std::uint32_t second) const;
+    [[nodiscard]] std::array<SampleBlock, 2> blocks(std::uint32_t first,
+                                                    std::uint32_t second) const;
 
   private:
-    [[nodiscard]] std::uint32_t keyOf(std::uint32_t block) const { return sobol::mix(key_ ^ (block * 0x9e3779b9u)); }
+    [[nodiscard]] std::uint32_t keyOf(std::uint32_t block) const {
+        return sobol::mix(key_ ^ (block * 0x9e3779b9u));
+    }
 
     std::uint32_t key_, reversedIndex_;
 };

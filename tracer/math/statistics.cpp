@@ -11,8 +11,9 @@ namespace {
 
 /// 97.5 % quantile of Student's t.
 double studentQuantile(std::size_t freedom) {
-    constexpr std::array kTable = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
-                                   2.201,  2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086};
+    constexpr std::array kTable = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365,
+                                   2.306,  2.262, 2.228, 2.201, 2.179, 2.160, 2.145,
+                                   2.131,  2.120, 2.110, 2.101, 2.093, 2.086};
     if (freedom == 0) return std::numeric_limits<double>::infinity();
     if (freedom <= kTable.size()) return kTable[freedom - 1];
     return 1.96 + 2.4 / static_cast<double>(freedom);
@@ -35,7 +36,8 @@ double geometricMean(const std::vector<double>& values) {
 Interval meanInterval(const std::vector<double>& values) {
     RunningMoments moments;
     for (const double value : values) moments.add(value);
-    return {moments.mean(), studentQuantile(values.size() - 1) * std::sqrt(moments.varianceOfMean())};
+    return {moments.mean(),
+            studentQuantile(values.size() - 1) * std::sqrt(moments.varianceOfMean())};
 }
 
 Ratio pairedRatio(const std::vector<double>& a, const std::vector<double>& b) {
@@ -43,7 +45,8 @@ Ratio pairedRatio(const std::vector<double>& a, const std::vector<double>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) logs[i] = std::log(a[i] / b[i]);
     if (a.size() == 1) return {std::exp(logs[0]), 0, std::numeric_limits<double>::infinity()};
     const Interval interval = meanInterval(logs);
-    return {std::exp(interval.mean), std::exp(interval.mean - interval.half), std::exp(interval.mean + interval.half)};
+    return {std::exp(interval.mean), std::exp(interval.mean - interval.half),
+            std::exp(interval.mean + interval.half)};
 }
 
 double PowerLaw::at(double x) const { return std::exp(intercept + slope * std::log(x)); }

@@ -18,9 +18,13 @@ class RunningMoments {
     [[nodiscard]] std::int64_t count() const { return count_; }
     [[nodiscard]] double mean() const { return mean_; }
     /// Unbiased variance of one number; 0 for fewer than two.
-    [[nodiscard]] double variance() const { return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : 0; }
+    [[nodiscard]] double variance() const {
+        return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : 0;
+    }
     /// Variance of the mean.
-    [[nodiscard]] double varianceOfMean() const { return count_ > 0 ? variance() / static_cast<double>(count_) : 0; }
+    [[nodiscard]] double varianceOfMean() const {
+        return count_ > 0 ? variance() / static_cast<double>(count_) : 0;
+    }
 
   private:
     std::int64_t count_ = 0;
@@ -43,11 +47,12 @@ struct Interval {
 struct Ratio {
     double value = 0, low = 0, high = 0;
 };
-/// Geometric mean over pairs a[i] / b[i] of positive values, which were measured one right after the other, so that what slows the
-/// machine slows both.
+/// Geometric mean over pairs a[i] / b[i] of positive values, which were measured one right after
+/// the other, so that what slows the machine slows both.
 [[nodiscard]] Ratio pairedRatio(const std::vector<double>& a, const std::vector<double>& b);
 
-/// The line log(y) = intercept + slope log(x) by least squares, with the slope's 95 % half width (infinite for two points).
+/// The line log(y) = intercept + slope log(x) by least squares, with the slope's 95 % half width
+/// (infinite for two points).
 struct PowerLaw {
     double slope = 0, slopeHalf = 0, intercept = 0;
     [[nodiscard]] double at(double x) const;

@@ -1,4 +1,5 @@
-// Affine transforms in double precision. Composition chains right to left: worldFromGroup * groupFromObject.
+// Affine transforms in double precision. Composition chains right to left: worldFromGroup *
+// groupFromObject.
 #pragma once
 
 #include <optional>
@@ -21,19 +22,23 @@ struct Affine {
     return {a.linear * b.linear, a.linear * b.translation + a.translation};
 }
 
-/// The inverse, or nothing where the linear part is singular or not finite. The test is free of scale: the determinant
-/// against the product of the column lengths.
+/// The inverse, or nothing where the linear part is singular or not finite. The test is free of
+/// scale: the determinant against the product of the column lengths.
 [[nodiscard]] inline std::optional<Affine> inverse(const Affine& a) {
     const double det = glm::determinant(a.linear);
-    const double lengths = glm::length(a.linear[0]) * glm::length(a.linear[1]) * glm::length(a.linear[2]);
-    if (!std::isfinite(det) || !isFinite(a.translation) || !(std::abs(det) > 1e-13 * lengths)) return std::nullopt;
-    // By cofactors, which lose the digits that the determinant does; those of long double are spare.
+    const double lengths =
+        glm::length(a.linear[0]) * glm::length(a.linear[1]) * glm::length(a.linear[2]);
+    if (!std::isfinite(det) || !isFinite(a.translation) || !(std::abs(det) > 1e-13 * lengths))
+        return std::nullopt;
+    // By cofactors, which lose the digits that the determinant does; those of long double are
+    // spare.
     const DMat3 inv(glm::inverse(glm::mat<3, 3, long double>(a.linear)));
     if (!isFinite(inv[0]) || !isFinite(inv[1]) || !isFinite(inv[2])) return std::nullopt;
     return Affine{inv, -(inv * a.translation)};
 }
 
-/// R = Rz * Ry * Rx for angles in degrees (x applied first). Multiples of 90 degrees give exact entries.
+/// R = Rz * Ry * Rx for angles in degrees (x applied first). Multiples of 90 degrees give exact
+/// entries.
 [[nodiscard]] inline DMat3 rotationFromDegrees(const DVec3& degrees) {
     const auto sinCos = [](double angle) -> DVec2 {
         const double turn = std::remainder(angle, 360.0);

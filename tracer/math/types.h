@@ -1,4 +1,5 @@
-// Names for GLM's types. Geometry is double (DVec3), radiometry and sampling are float (Vec2, Vec3).
+// Names for GLM's types. Geometry is double (DVec3), radiometry and sampling are float (Vec2,
+// Vec3).
 #pragma once
 
 #include <cmath>
@@ -30,20 +31,28 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 [[nodiscard]] inline bool isFinite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
-/// Of unit length, from a vector that is so up to errors of floats: mostly without a root or a division.
+/// Of unit length, from a vector that is so up to errors of floats: mostly without a root or a
+/// division.
 [[nodiscard]] inline DVec3 renormalize(const DVec3& v) {
     const double off = glm::dot(v, v) - 1;
     if (!(std::abs(off) < 0x1p-17)) return glm::normalize(v);
-    return v * (1 + off * (0.375 * off - 0.5));  // (1 + off)^(-1/2) but for 5/16 off^3: less than a rounding.
+    return v * (1 + off * (0.375 * off -
+                           0.5));  // (1 + off)^(-1/2) but for 5/16 off^3: less than a rounding.
 }
 /// The size of each coordinate. Not by glm::abs(), whose branches guess signs wrong.
-[[nodiscard]] inline DVec3 absolute(const DVec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
-[[nodiscard]] inline Vec3 absolute(const Vec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+[[nodiscard]] inline DVec3 absolute(const DVec3& v) {
+    return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
+[[nodiscard]] inline Vec3 absolute(const Vec3& v) {
+    return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
 /// At least the largest absolute coordinate.
 [[nodiscard]] inline double coordinateSum(const DVec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
-[[nodiscard]] inline double maxComponent(const DVec3& v) { return std::max(v.x, std::max(v.y, v.z)); }
+[[nodiscard]] inline double maxComponent(const DVec3& v) {
+    return std::max(v.x, std::max(v.y, v.z));
+}
 [[nodiscard]] inline float maxComponent(const Vec3& v) { return std::max(v.x, std::max(v.y, v.z)); }
 
 }  // namespace glint

@@ -1,4 +1,5 @@
-// Maps from uniform numbers to shapes' and lobes' directions, each with its density. u lies in [0, 1)^2.
+// Maps from uniform numbers to shapes' and lobes' directions, each with its density. u lies in [0,
+// 1)^2.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +15,23 @@ struct DirectionSample {
     double pdf = 0;
 };
 
-/// (cos, sin) of 2 pi u for |u| <= 2^20, within 1e-13: polynomials on an eighth of a turn to either side. Three times as fast as the
-/// library's, which spend their time on the last bits and on huge arguments.
+/// (cos, sin) of 2 pi u for |u| <= 2^20, within 1e-13: polynomials on an eighth of a turn to either
+/// side. Three times as fast as the library's, which spend their time on the last bits and on huge
+/// arguments.
 [[nodiscard]] inline DVec2 cosSinTurn(double u) {
     const double quarter = std::floor(4 * u + 0.5), x = (kPi / 2) * (4 * u - quarter), x2 = x * x;
-    const double s = x * (1 + x2 * (-1.0 / 6 + x2 * (1.0 / 120 + x2 * (-1.0 / 5040 + x2 * (1.0 / 362880 + x2 * (-1.0 / 39916800 + x2 * (1.0 / 6227020800)))))));
-    const double c = 1 + x2 * (-0.5 + x2 * (1.0 / 24 + x2 * (-1.0 / 720 + x2 * (1.0 / 40320 + x2 * (-1.0 / 3628800 + x2 * (1.0 / 479001600 - x2 * (1.0 / 87178291200)))))));
+    const double s =
+        x *
+        (1 + x2 * (-1.0 / 6 +
+                   x2 * (1.0 / 120 + x2 * (-1.0 / 5040 +
+                                           x2 * (1.0 / 362880 + x2 * (-1.0 / 39916800 +
+                                                                      x2 * (1.0 / 6227020800)))))));
+    const double c =
+        1 + x2 * (-0.5 + x2 * (1.0 / 24 +
+                               x2 * (-1.0 / 720 +
+                                     x2 * (1.0 / 40320 + x2 * (-1.0 / 3628800 +
+                                                               x2 * (1.0 / 479001600 -
+                                                                     x2 * (1.0 / 87178291200)))))));
     const int q = static_cast<int>(quarter) & 3;
     const double a = q & 1 ? -s : c, b = q & 1 ? c : s;
     return q & 2 ? DVec2(-a, -b) : DVec2(a, b);
@@ -59,8 +71,10 @@ inline constexpr double kUniformSpherePdf = 1 / (4 * kPi);
     return 2 * kPi * sin2Theta / (1 + std::sqrt(std::max(0.0, 1 - sin2Theta)));
 }
 
-/// Uniform in the cone of half angle theta (sin2Theta <= 1, theta <= 90 degrees) about the unit vector `axis`.
-[[nodiscard]] inline DirectionSample uniformCone(const DVec3& axis, double sin2Theta, const DVec2& u) {
+/// Uniform in the cone of half angle theta (sin2Theta <= 1, theta <= 90 degrees) about the unit
+/// vector `axis`.
+[[nodiscard]] inline DirectionSample uniformCone(const DVec3& axis, double sin2Theta,
+                                                 const DVec2& u) {
     const double oneMinusCosMax = sin2Theta / (1 + std::sqrt(std::max(0.0, 1 - sin2Theta)));
     const double oneMinusCos = u.x * oneMinusCosMax;
     const double r = std::sqrt(std::max(0.0, oneMinusCos * (2 - oneMinusCos)));
@@ -68,13 +82,15 @@ inline constexpr double kUniformSpherePdf = 1 / (4 * kPi);
             1 / (2 * kPi * oneMinusCosMax)};
 }
 
-/// Uniform in the solid angle of a sphere at `center` with `radius`, seen from the origin; the whole sphere of directions
-/// from inside. The density depends only on the place, so sample and pdf cannot disagree.
+/// Uniform in the solid angle of a sphere at `center` with `radius`, seen from the origin; the
+/// whole sphere of directions from inside. The density depends only on the place, so sample and pdf
+/// cannot disagree.
 [[nodiscard]] inline double sphereDirectionPdf(const DVec3& center, double radius) {
     const double d2 = glm::dot(center, center), r2 = radius * radius;
     return d2 <= r2 ? kUniformSpherePdf : 1 / coneSolidAngle(r2 / d2);
 }
-[[nodiscard]] inline DirectionSample sampleSphereDirection(const DVec3& center, double radius, const DVec2& u) {
+[[nodiscard]] inline DirectionSample sampleSphereDirection(const DVec3& center, double radius,
+                                                           const DVec2& u) {
     const double d2 = glm::dot(center, center), r2 = radius * radius;
     if (d2 <= r2) return {uniformSphere(u), kUniformSpherePdf};
     return uniformCone(center / std::sqrt(d2), r2 / d2, u);

@@ -1,5 +1,5 @@
-// What an edit does to a picture that is being rendered: nothing, a new mix of its lights, new samples for the pixels that rest on
-// some materials, or a start from nothing.
+// What an edit does to a picture that is being rendered: nothing, a new mix of its lights, new
+// samples for the pixels that rest on some materials, or a start from nothing.
 #pragma once
 
 #include <cstdint>
@@ -20,21 +20,22 @@ struct EditPlan {
     std::uint64_t materials = 0;  ///< set of bits, see materialBit()
 };
 
-/// How samples of `traced` become a picture of `next`; `groups` are those that the samples' light is sorted by. Names, locks,
-/// saved views, display, stop rules and what is hidden in both scenes do not count. Looks only where the documents' storage
-/// differs.
+/// How samples of `traced` become a picture of `next`; `groups` are those that the samples' light
+/// is sorted by. Names, locks, saved views, display, stop rules and what is hidden in both scenes
+/// do not count. Looks only where the documents' storage differs.
 [[nodiscard]] EditPlan planEdit(const Scene& traced, const Scene& next, const LightGroups& groups);
 
-/// `next` with the lights of `traced`: the scene to trace so that samples of both sum to one picture, to be mixed by the plan of
-/// Kind::Retrace.
+/// `next` with the lights of `traced`: the scene to trace so that samples of both sum to one
+/// picture, to be mixed by the plan of Kind::Retrace.
 [[nodiscard]] Scene withLightsOf(const Scene& traced, Scene next);
 
-/// The two differ at most in values that samples record their use of: the same shapes are dielectric, let shadow rays pass, and
-/// throw caustics by the same ways with the same chances.
+/// The two differ at most in values that samples record their use of: the same shapes are
+/// dielectric, let shadow rays pass, and throw caustics by the same ways with the same chances.
 /// Asked after compiling for Kind::Retrace; else a restart is needed.
 [[nodiscard]] bool sameStructure(const RenderScene& before, const RenderScene& after);
 
-/// The cameras see from the same place with the same lens, but for the angle or height of view, which follow the window.
+/// The cameras see from the same place with the same lens, but for the angle or height of view,
+/// which follow the window.
 [[nodiscard]] bool sameViewpoint(const Camera& a, const Camera& b);
 
 }  // namespace glint

@@ -15,9 +15,12 @@ namespace glint {
 
 namespace {
 
-/// The other estimator's way to share a light between its two techniques (Veach 1997, sec. 9.2.3, beta = 2).
+/// The other estimator's way to share a light between its two techniques (Veach 1997, sec. 9.2.3,
+/// beta = 2).
 struct PowerHeuristic {
-    static double lightWeight(double light, double bsdf) { return light * light / (light * light + bsdf * bsdf); }
+    static double lightWeight(double light, double bsdf) {
+        return light * light / (light * light + bsdf * bsdf);
+    }
     static double bsdfWeight(double bsdf, double light) { return lightWeight(bsdf, light); }
 };
 struct PlainEffort : UsualEffort {
@@ -25,14 +28,16 @@ struct PlainEffort : UsualEffort {
     static constexpr float kDim = 0.05f, kDimBranch = 0.05f;
 };
 
-/// References are means of this many independent renders, from whose spread their own uncertainty is known.
+/// References are means of this many independent renders, from whose spread their own uncertainty
+/// is known.
 constexpr int kReferenceRenders = 8;
 constexpr int kReferenceSeed = 1'000'000;
 
 template <class Tracer>
 Rgb sampleBy(KernelState& state, int x, int y, std::uint32_t sample) {
     const Sampler sampler = samplerFor(state.scene, x, y, sample);
-    return Tracer(state, sampler).radiance(cameraRay<kAllFeatures>(state.scene, sampler, x, y, state.work));
+    return Tracer(state, sampler)
+        .radiance(cameraRay<kAllFeatures>(state.scene, sampler, x, y, state.work));
 }
 
 std::shared_ptr<const RenderScene> withRender(const RenderScene& scene, int spp, int seed) {
@@ -44,29 +49,43 @@ std::shared_ptr<const RenderScene> withRender(const RenderScene& scene, int spp,
 }
 
 int threadsOf(const ErrorReportSettings& settings) {
-    return settings.threads > 0 ? settings.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return settings.threads > 0
+               ? settings.threads
+               : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-bool isStopped(const ErrorReportWatch& watch) { return watch.stop && watch.stop->load(std::memory_order_relaxed); }
+bool isStopped(const ErrorReportWatch& watch) {
+    return watch.stop && watch.stop->load(std::memory_order_relaxed);
+}
 void report(const ErrorReportWatch& watch, double fraction) {
     if (watch.progress) watch.progress(fraction);
 }
 
-/// Means of `spp` samples of the other estimator, row by row; not finite ones count as black. Empty if stopped.
-Image renderReference(const RenderScene& scene, int spp, WorkerPool& pool, const ErrorReportWatch& watch) {
-    const KernelFunction kernel = scene.settings.integrator == Integrator::Classic
-                                      ? sampleBy<ClassicTracer<kAllFeatures>>
-                                      : sampleBy<PathTracer<kAllFeatures, PowerHeuristic, PlainEffort>>;
+/// Means of `spp` samples of the other estimator, row by row; not finite ones count as black. Empty
+/// if stopped.
+Image renderReference(const RenderScene& scene, int spp, WorkerPool& pool,
+                      const ErrorReportWatch& watch) {
+    const KernelFunction kernel =
+        scene.settings.integrator == Integrator::Classic
+            ? sampleBy<ClassicTracer<kAllFeatures>>
+            : sampleBy<PathTracer<kAllFeatures, PowerHeuristic, PlainEffort>>;
     const int width = scene.film.width, height = scene.film.height;
-    Image out{width, height, std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3)};
+    Image out{
+        width, height,
+        std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3)};
     pool.run(height, [&](int, int y) {
         KernelState state{scene, {}, {}, false};
         for (int x = 0; x < width && !isStopped(watch); ++x) {
             DVec3 sum(0.0);
             for (int sample = 0; sample < spp; ++sample)
-                if (const Rgb value = kernel(state, x, y, static_cast<std::uint32_t>(sample)); isFinite(value)) sum += toDouble(value);
-            const std::size_t place = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
-            for (int c = 0; c < 3; ++c) out.rgb[place + static_cast<std::size_t>(c)] = static_cast<float>(sum[c] / spp);
+                if (const Rgb value = kernel(state, x, y, static_cast<std::uint32_t>(sample));
+                    isFinite(value))
+                    sum += toDouble(value);
+            const std::size_t place =
+                3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                     static_cast<std::size_t>(x));
+            for (int c = 0; c < 3; ++c)
+                out.rgb[place + static_cast<std::size_t>(c)] = static_cast<float>(sum[c] / spp);
         }
     });
     if (isStopped(watch)) out.rgb.clear();
@@ -92,7 +111,13 @@ struct PointSamples {
         outlierShare.push_back(errors.outlierShare);
     }
     [[nodiscard]] ErrorPoint point(int spp) const {
-        return {spp, meanInterval(seconds), meanInterval(cpuSeconds), meanInterval(relMse), meanInterval(mape), meanInterval(percentile99), meanInterval(outlierShare)};
+        return {spp,
+                meanInterval(seconds),
+                meanInterval(cpuSeconds),
+                meanInterval(relMse),
+                meanInterval(mape),
+                meanInterval(percentile99),
+                meanInterval(outlierShare)};
     }
 };
 
@@ -100,7 +125,9 @@ void conclude(ErrorReport& report) {
     std::vector<double> spp, relMse;
     for (const ErrorPoint& point : report.points) {
         // What the reference's own noise hides says nothing about the law.
-        if (!(point.relMse.mean > 0) || (point.relMse.half > point.relMse.mean && point.relMse.half < kInfinity)) continue;
+        if (!(point.relMse.mean > 0) ||
+            (point.relMse.half > point.relMse.mean && point.relMse.half < kInfinity))
+            continue;
         spp.push_back(point.spp);
         relMse.push_back(point.relMse.mean);
     }
@@ -113,13 +140,17 @@ void conclude(ErrorReport& report) {
 
 }  // namespace
 
-std::optional<Reference> makeReference(const std::shared_ptr<const RenderScene>& scene, const ErrorReportSettings& settings, const ErrorReportWatch& watch) {
+std::optional<Reference> makeReference(const std::shared_ptr<const RenderScene>& scene,
+                                       const ErrorReportSettings& settings,
+                                       const ErrorReportWatch& watch) {
     flushDenormals();
     WorkerPool pool(threadsOf(settings));
-    const int spp = std::max(1, (1 << settings.lastPower) * settings.referenceFactor / kReferenceRenders);
+    const int spp =
+        std::max(1, (1 << settings.lastPower) * settings.referenceFactor / kReferenceRenders);
     ReferenceSum sum;
     for (int i = 0; i < kReferenceRenders; ++i) {
-        const Image image = renderReference(*withRender(*scene, spp, kReferenceSeed + i), spp, pool, watch);
+        const Image image =
+            renderReference(*withRender(*scene, spp, kReferenceSeed + i), spp, pool, watch);
         if (image.rgb.empty()) return std::nullopt;
         sum.add(image);
         report(watch, (i + 1.0) / kReferenceRenders);
@@ -127,7 +158,9 @@ std::optional<Reference> makeReference(const std::shared_ptr<const RenderScene>&
     return sum.reference();
 }
 
-std::optional<ErrorReport> measureErrors(const std::shared_ptr<const RenderScene>& scene, const Reference& reference, const ErrorReportSettings& settings,
+std::optional<ErrorReport> measureErrors(const std::shared_ptr<const RenderScene>& scene,
+                                         const Reference& reference,
+                                         const ErrorReportSettings& settings,
                                          const ErrorReportWatch& watch) {
     const int powers = settings.lastPower - settings.firstPower + 1;
     std::vector<PointSamples> samples(static_cast<std::size_t>(powers));
@@ -138,34 +171,45 @@ std::optional<ErrorReport> measureErrors(const std::shared_ptr<const RenderScene
         for (int k = 0; k < powers; ++k) {
             const int spp = 1 << (settings.firstPower + k);
             const double cpu = processSeconds();
-            const Rendering rendering = render(withRender(*scene, spp, seed), {.threads = settings.threads, .stop = watch.stop});
+            const Rendering rendering = render(withRender(*scene, spp, seed),
+                                               {.threads = settings.threads, .stop = watch.stop});
             if (isStopped(watch)) return std::nullopt;
-            samples[static_cast<std::size_t>(k)].add(rendering, processSeconds() - cpu, pictureErrors(rendering.beauty, reference));
+            samples[static_cast<std::size_t>(k)].add(rendering, processSeconds() - cpu,
+                                                     pictureErrors(rendering.beauty, reference));
             report(watch, (done += spp) / all);
         }
     ErrorReport out;
-    for (int k = 0; k < powers; ++k) out.points.push_back(samples[static_cast<std::size_t>(k)].point(1 << (settings.firstPower + k)));
+    for (int k = 0; k < powers; ++k)
+        out.points.push_back(
+            samples[static_cast<std::size_t>(k)].point(1 << (settings.firstPower + k)));
     conclude(out);
     return out;
 }
 
 std::string errorReportCsv(const ErrorReport& report) {
-    std::string out = "spp,seconds,seconds_half,cpu_seconds,rel_mse,rel_mse_half,mape,mape_half,percentile_99,percentile_99_half,outlier_share,outlier_share_half\n";
+    std::string out =
+        "spp,seconds,seconds_half,cpu_seconds,rel_mse,rel_mse_half,mape,mape_half,percentile_99,"
+        "percentile_99_half,outlier_share,outlier_share_half\n";
     for (const ErrorPoint& p : report.points) {
         char line[512];
-        std::snprintf(line, sizeof line, "%d,%.6g,%.3g,%.6g,%.6g,%.3g,%.6g,%.3g,%.6g,%.3g,%.6g,%.3g\n", p.spp, p.seconds.mean, p.seconds.half, p.cpuSeconds.mean,
-                      p.relMse.mean, p.relMse.half, p.mape.mean, p.mape.half, p.percentile99.mean, p.percentile99.half, p.outlierShare.mean, p.outlierShare.half);
+        std::snprintf(line, sizeof line,
+                      "%d,%.6g,%.3g,%.6g,%.6g,%.3g,%.6g,%.3g,%.6g,%.3g,%.6g,%.3g\n", p.spp,
+                      p.seconds.mean, p.seconds.half, p.cpuSeconds.mean, p.relMse.mean,
+                      p.relMse.half, p.mape.mean, p.mape.half, p.percentile99.mean,
+                      p.percentile99.half, p.outlierShare.mean, p.outlierShare.half);
         out += line;
     }
     return out;
 }
 
-std::string errorReportSvg(const std::vector<NamedErrorReport>& reports, const std::string& title, bool onDark) {
+std::string errorReportSvg(const std::vector<NamedErrorReport>& reports, const std::string& title,
+                           bool onDark) {
     LogPlot plot{title, "time of one render [s]", "relMSE", {}, onDark};
     for (const NamedErrorReport& named : reports) {
         PlotCurve curve{named.name, {}};
         for (const ErrorPoint& p : named.report.points)
-            if (p.relMse.mean > 0) curve.points.push_back({p.seconds.mean, p.relMse.mean, p.relMse.half});
+            if (p.relMse.mean > 0)
+                curve.points.push_back({p.seconds.mean, p.relMse.mean, p.relMse.half});
         plot.curves.push_back(std::move(curve));
     }
     return svgOf(plot);

@@ -10,13 +10,15 @@
 
 namespace glint {
 
-Film::Film(int width, int height, std::size_t groups) : width_(width), height_(height), groups_(groups) {
+Film::Film(int width, int height, std::size_t groups)
+    : width_(width), height_(height), groups_(groups) {
     tiles_.resize(static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows()));
     memory_ = std::make_shared<BlockPool>(tileBytes(), tiles_.size());
 }
 
 std::shared_ptr<Film::Tile> Film::newTile() const {
-    static_assert(sizeof(Tile::generation) + sizeof(Tile::materials) + sizeof(Tile::sums) == kBytesAPixel * kPixels);
+    static_assert(sizeof(Tile::generation) + sizeof(Tile::materials) + sizeof(Tile::sums) ==
+                  kBytesAPixel * kPixels);
     static_assert(std::is_trivially_destructible_v<Tile>);
     auto* const tile = new (memory_->take()) Tile;
     tile->light = groups_ > 1 ? new (tile + 1) Vec3[lightCount()] : nullptr;
@@ -62,14 +64,18 @@ void Film::add(int x, int y, const Rgb& value, const GroupLight& groups, std::ui
     ++sums.samples;
 }
 
-void Film::put(int x, int y, const Rgb& value, float error, std::uint32_t rays, std::uint64_t materials) {
+void Film::put(int x, int y, const Rgb& value, float error, std::uint32_t rays,
+               std::uint64_t materials) {
     GLINT_CHECK(groups_ == 1);
     Tile& tile = own(tileOf(x, y));
     const std::size_t place = placeOf(x, y);
     Sums& sums = begin(tile, place);
-    // Two samples at least, as many in each half. Which half is brighter must not be the same everywhere.
+    // Two samples at least, as many in each half. Which half is brighter must not be the same
+    // everywhere.
     const std::uint32_t each = std::max(1u, (rays + 1) / 2);
-    const double apart = (sobol::mix(static_cast<std::uint32_t>(y * width_ + x)) & 1) ? static_cast<double>(error) : -static_cast<double>(error);
+    const double apart = (sobol::mix(static_cast<std::uint32_t>(y * width_ + x)) & 1)
+                             ? static_cast<double>(error)
+                             : -static_cast<double>(error);
     sums.a = static_cast<double>(each) * (toDouble(value) + apart);
     sums.b = static_cast<double>(each) * (toDouble(value) - apart);
     sums.samples = 2 * each;
@@ -80,7 +86,8 @@ void Film::put(int x, int y, const Rgb& value, float error, std::uint32_t rays, 
 HalfMoments Film::momentsA(int x, int y) const {
     const Sums* sums = find(x, y);
     if (!sums) return {};
-    return {(sums->samples + 1) / 2, luminance(Color{sums->a.x, sums->a.y, sums->a.z}), static_cast<double>(sums->squaresA)};
+    return {(sums->samples + 1) / 2, luminance(Color{sums->a.x, sums->a.y, sums->a.z}),
+            static_cast<double>(sums->squaresA)};
 }
 
 FilmPixel Film::mixed(const Sums& sums, int x, int y) const {
@@ -116,17 +123,25 @@ std::size_t Film::forget(std::uint64_t materials, WorkerPool& pool) {
         ++generation_;
         retrace_ = count.fetch_add(1, std::memory_order_relaxed) + 1;
     }
-    std::atomic<std::size_t> forgotten{0};  // Only a sum, read when all workers have ended: relaxed.
-    pool.run(rows(), [&](int, int row) { forgotten.fetch_add(forgetRow(materials, row), std::memory_order_relaxed); });
+    std::atomic<std::size_t> forgotten{
+        0};  // Only a sum, read when all workers have ended: relaxed.
+    pool.run(rows(), [&](int, int row) {
+        forgotten.fetch_add(forgetRow(materials, row), std::memory_order_relaxed);
+    });
     return forgotten;
 }
 
 std::size_t Film::forgetRow(std::uint64_t materials, int tileRow) {
     std::size_t forgotten = 0;
-    for (std::size_t index = static_cast<std::size_t>(tileRow) * static_cast<std::size_t>(columns()); index < static_cast<std::size_t>(tileRow + 1) * static_cast<std::size_t>(columns()); ++index) {
+    for (std::size_t index =
+             static_cast<std::size_t>(tileRow) * static_cast<std::size_t>(columns());
+         index < static_cast<std::size_t>(tileRow + 1) * static_cast<std::size_t>(columns());
+         ++index) {
         const Tile* tile = tiles_[index].get();
         if (!tile) continue;
-        const auto isAffected = [&](std::size_t i) { return holds(tile->generation[i]) && (tile->materials[i] & materials); };
+        const auto isAffected = [&](std::size_t i) {
+            return holds(tile->generation[i]) && (tile->materials[i] & materials);
+        };
         std::size_t i = 0;
         while (i < kPixels && !isAffected(i)) ++i;
         if (i == kPixels) continue;
@@ -144,7 +159,9 @@ std::size_t Film::forgetRow(std::uint64_t materials, int tileRow) {
 std::optional<Rgb> Film::remembered(int x, int y) const {
     const Tile* tile = tiles_[tileOf(x, y)].get();
     const std::size_t place = placeOf(x, y);
-    if (!remembers_ || !tile || !(tile->generation[place] & kForgotten) || !holds(tile->generation[place] & ~kForgotten)) return std::nullopt;
+    if (!remembers_ || !tile || !(tile->generation[place] & kForgotten) ||
+        !holds(tile->generation[place] & ~kForgotten))
+        return std::nullopt;
     return pixelOf(tile->sums[place], x, y).mean();
 }
 
@@ -154,7 +171,8 @@ void Film::setMix(const LightMix& mix) {
 }
 
 std::size_t Film::bytes() const {
-    const auto present = static_cast<std::size_t>(std::count_if(tiles_.begin(), tiles_.end(), [](const auto& tile) { return tile != nullptr; }));
+    const auto present = static_cast<std::size_t>(std::count_if(
+        tiles_.begin(), tiles_.end(), [](const auto& tile) { return tile != nullptr; }));
     return present * tileBytes() + tiles_.size() * sizeof(tiles_[0]);
 }
 
@@ -168,10 +186,14 @@ Image Film::image() const {
 void Film::means(int x, int y, std::span<Rgb> out) const {
     for (std::size_t i = 0; i < out.size();) {
         const int at = x + static_cast<int>(i);
-        const std::size_t end = std::min(out.size(), i + static_cast<std::size_t>(kTile - at % kTile)), place = placeOf(at, y) - i;
+        const std::size_t end = std::min(out.size(),
+                                         i + static_cast<std::size_t>(kTile - at % kTile)),
+                          place = placeOf(at, y) - i;
         const Tile* tile = tiles_[tileOf(at, y)].get();
         for (; i < end; ++i)
-            out[i] = tile && holds(tile->generation[place + i]) ? pixelOf(tile->sums[place + i], x + static_cast<int>(i), y).mean() : Rgb(0.0f);
+            out[i] = tile && holds(tile->generation[place + i])
+                         ? pixelOf(tile->sums[place + i], x + static_cast<int>(i), y).mean()
+                         : Rgb(0.0f);
     }
 }
 
@@ -179,7 +201,9 @@ void Film::paint(const PixelRect& rect, Image& picture) const {
     std::vector<Rgb> row(static_cast<std::size_t>(rect.width));
     for (int y = rect.y; y < rect.y + rect.height; ++y) {
         means(rect.x, y, row);
-        float* to = &picture.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(rect.x))];
+        float* to =
+            &picture.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                              static_cast<std::size_t>(rect.x))];
         for (const Rgb& mean : row)
             for (const float value : {mean.x, mean.y, mean.z}) *to++ = value;
     }

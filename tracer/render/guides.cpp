@@ -12,10 +12,13 @@ namespace {
 /// The branch that carries most light.
 const DeltaBranch& brightest(const Branches& branches) {
     return *std::max_element(branches.at.begin(), branches.at.begin() + branches.count,
-                             [](const DeltaBranch& a, const DeltaBranch& b) { return Branches::size(a) < Branches::size(b); });
+                             [](const DeltaBranch& a, const DeltaBranch& b) {
+                                 return Branches::size(a) < Branches::size(b);
+                             });
 }
 
-void describeFirst(const RenderScene& scene, const SurfacePoint& point, WorkCounts& work, GuideSample& out) {
+void describeFirst(const RenderScene& scene, const SurfacePoint& point, WorkCounts& work,
+                   GuideSample& out) {
     LayerSample surface;
     describeSurface(scene, point, surface, work);
     out.albedo = surface.albedo;
@@ -47,7 +50,8 @@ GuideSample traceGuide(const RenderScene& scene, int x, int y, std::uint32_t sam
         const ShapeHit hit = scene.lists->closest(ray, media, kInfinity, state.work);
         if (!hit.found()) break;
         way += hit.t;
-        out.seenAlbedo *= transmittance<kAllFeatures>(mediumOf(scene, fillingShape(scene, media)), hit.t, state.work);
+        out.seenAlbedo *= transmittance<kAllFeatures>(mediumOf(scene, fillingShape(scene, media)),
+                                                      hit.t, state.work);
         const SurfacePoint point = surfacePoint(scene, ray, hit, media);
         if (point.hidden) {
             ray = {point.position, ray.direction, point.shape, point.outside};
@@ -57,7 +61,9 @@ GuideSample traceGuide(const RenderScene& scene, int x, int y, std::uint32_t sam
         if (first) describeFirst(scene, point, state.work, out);
         first = false;
         const CompiledMaterial& material = scene.materials[point.instance(scene).material];
-        const Branches branches = material.hasDelta ? deltaBranches(material, point.wo, point.eta, state.work) : Branches{};
+        const Branches branches = material.hasDelta
+                                      ? deltaBranches(material, point.wo, point.eta, state.work)
+                                      : Branches{};
         if (material.smoothAlbedo >= branches.total) {
             LayerSample surface;
             describeSurface(scene, point, surface, state.work);
@@ -76,8 +82,9 @@ GuideSample traceGuide(const RenderScene& scene, int x, int y, std::uint32_t sam
     return out;
 }
 
-bool GuideFilm::refine(const std::shared_ptr<const RenderScene>& scene, int width, int height, int stride, std::uint32_t samples,
-                       const CancelToken& cancel, WorkerPool& pool) {
+bool GuideFilm::refine(const std::shared_ptr<const RenderScene>& scene, int width, int height,
+                       int stride, std::uint32_t samples, const CancelToken& cancel,
+                       WorkerPool& pool) {
     if (width != width_ || height != height_) {
         width_ = width;
         height_ = height;
@@ -106,14 +113,18 @@ bool GuideFilm::refine(const std::shared_ptr<const RenderScene>& scene, int widt
         pixel.material = s.material;
     };
     const int rows = (height + stride - 1) / stride;
-    std::atomic<bool> complete{true};  // of all workers; only a flag, read after they ended: relaxed
+    std::atomic<bool> complete{
+        true};  // of all workers; only a flag, read after they ended: relaxed
     pool.run(rows, [&](int, int row) {
         if (auto& current = rowIsCurrent_[static_cast<std::size_t>(row * stride)]; !current) {
-            std::fill_n(pixels_.begin() + static_cast<std::ptrdiff_t>(row) * stride * width, width, Pixel{});
+            std::fill_n(pixels_.begin() + static_cast<std::ptrdiff_t>(row) * stride * width, width,
+                        Pixel{});
             current = true;
         }
         for (int x = 0; x < width; x += stride) {
-            Pixel& pixel = pixels_[static_cast<std::size_t>(row * stride) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+            Pixel& pixel =
+                pixels_[static_cast<std::size_t>(row * stride) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(x)];
             while (pixel.samples < target) {
                 if (cancel.cancelled()) return complete.store(false, std::memory_order_relaxed);
                 addTo(pixel, x, row * stride);

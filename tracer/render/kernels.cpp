@@ -18,7 +18,8 @@ Rgb traceRay(KernelState& state, const Ray& cameraRay, const Sampler& sampler) {
     state.materials = 0;
     state.trail = 0;
     state.doubt = 0;
-    for (int i = 0; i < scene.cameraMedia.size(); ++i) state.materials |= scene.materials[scene.shapes[scene.cameraMedia[i]].material].bit;
+    for (int i = 0; i < scene.cameraMedia.size(); ++i)
+        state.materials |= scene.materials[scene.shapes[scene.cameraMedia[i]].material].bit;
     if (state.groups) *state.groups = {};
     Rgb value = Tracer(state, sampler).radiance(cameraRay);
     if (const auto limit = static_cast<float>(scene.settings.clamp); limit > 0)
@@ -38,12 +39,14 @@ constexpr Kernel path(std::string_view name) {
 }
 template <Features F>
 constexpr Kernel classic(std::string_view name) {
-    return {name, Integrator::Classic, F, runKernel<ClassicTracer<F>, F>, traceRay<ClassicTracer<F>>};
+    return {name, Integrator::Classic, F, runKernel<ClassicTracer<F>, F>,
+            traceRay<ClassicTracer<F>>};
 }
 
 constexpr Features bits(auto... features) { return (static_cast<Features>(features) | ...); }
 
-constexpr Features kDiffuse = bits(Feature::Smooth, Feature::DeltaLights, Feature::AreaLights, Feature::Sky, Feature::SampledSky, Feature::Lens);
+constexpr Features kDiffuse = bits(Feature::Smooth, Feature::DeltaLights, Feature::AreaLights,
+                                   Feature::Sky, Feature::SampledSky, Feature::Lens);
 constexpr Features kMirrors = kDiffuse | bits(Feature::Delta);
 constexpr Features kGlass = kMirrors | bits(Feature::Media);
 constexpr Features kCaustics = kGlass | bits(Feature::Casters);
@@ -80,7 +83,8 @@ std::span<const Kernel> allKernels() { return kKernels; }
 const Kernel& chooseKernel(const RenderScene& scene, Features wanted) {
     const Kernel* best = nullptr;
     for (const Kernel& kernel : kKernels)
-        if (kernel.integrator == scene.settings.integrator && ((scene.features | wanted) & ~kernel.features) == 0 &&
+        if (kernel.integrator == scene.settings.integrator &&
+            ((scene.features | wanted) & ~kernel.features) == 0 &&
             (!best || std::popcount(kernel.features) < std::popcount(best->features)))
             best = &kernel;
     GLINT_CHECK(best != nullptr);

@@ -1,5 +1,5 @@
-// Layers: what a picture's light is made of, and what its first surfaces are. Filled only when asked for, by kernels with
-// Feature::Layers; the light layers sum to the beauty picture.
+// Layers: what a picture's light is made of, and what its first surfaces are. Filled only when
+// asked for, by kernels with Feature::Layers; the light layers sum to the beauty picture.
 #pragma once
 
 #include <array>
@@ -18,7 +18,16 @@ enum class Lobe { Diffuse, Glossy, Transmission };
 /// Shares of the three lobes in some light, per channel; they sum to 1.
 using LobeShares = std::array<Rgb, 3>;
 
-enum class LightLayer { DiffuseDirect, DiffuseIndirect, GlossyDirect, GlossyIndirect, TransmissionDirect, TransmissionIndirect, Emission, Environment };
+enum class LightLayer {
+    DiffuseDirect,
+    DiffuseIndirect,
+    GlossyDirect,
+    GlossyIndirect,
+    TransmissionDirect,
+    TransmissionIndirect,
+    Emission,
+    Environment
+};
 inline constexpr std::size_t kLightLayers = 8;
 
 /// One sample's layers. Ids are 1-based (0: nothing was hit); of objects they are the document's.
@@ -30,10 +39,13 @@ struct LayerSample {
     Vec3 position{0.0f};  ///< world space
     std::uint32_t object = 0, material = 0;
 
-    void add(LightLayer layer, const Rgb& value) { light[static_cast<std::size_t>(layer)] += value; }
+    void add(LightLayer layer, const Rgb& value) {
+        light[static_cast<std::size_t>(layer)] += value;
+    }
     /// Light by the way of the first surface: `direct` if it came there straight from a source.
     void add(const LobeShares& shares, bool direct, const Rgb& value) {
-        for (std::size_t lobe = 0; lobe < shares.size(); ++lobe) light[2 * lobe + (direct ? 0 : 1)] += value * shares[lobe];
+        for (std::size_t lobe = 0; lobe < shares.size(); ++lobe)
+            light[2 * lobe + (direct ? 0 : 1)] += value * shares[lobe];
     }
 };
 
@@ -46,17 +58,20 @@ struct LayerSample {
 
 /// The part of a smooth leaf's f that is diffuse reflection.
 template <class Leaf>
-[[nodiscard]] Rgb diffusePart(const Leaf& leaf, const Vec3& wo, const Vec3& wi, float eta, const Rgb& f) {
+[[nodiscard]] Rgb diffusePart(const Leaf& leaf, const Vec3& wo, const Vec3& wi, float eta,
+                              const Rgb& f) {
     if constexpr (requires { leaf.baseValue(wo, wi, eta); })
         return leaf.baseValue(wo, wi, eta);
-    else if constexpr (std::is_same_v<Leaf, LambertBsdf> || std::is_same_v<Leaf, TranslucentBsdf> || std::is_same_v<Leaf, PolishedGlossyBsdf>)
+    else if constexpr (std::is_same_v<Leaf, LambertBsdf> || std::is_same_v<Leaf, TranslucentBsdf> ||
+                       std::is_same_v<Leaf, PolishedGlossyBsdf>)
         return f;
     else
         return Rgb(0.0f);
 }
 
 /// The lobes' shares in the smooth part at a pair of directions.
-[[nodiscard]] inline LobeShares smoothShares(const CompiledMaterial& material, const Vec3& wo, const Vec3& wi, float eta) {
+[[nodiscard]] inline LobeShares smoothShares(const CompiledMaterial& material, const Vec3& wo,
+                                             const Vec3& wi, float eta) {
     if (!sameSide(wo, wi)) return sharesOf(Lobe::Transmission);
     Rgb whole(0.0f), diffuse(0.0f);
     for (const WeightedLeaf& weighted : material.leaves)
@@ -78,9 +93,11 @@ template <class Leaf>
 }
 
 /// Fills what is known of a surface by looking at it.
-void describeSurface(const RenderScene& scene, const SurfacePoint& point, LayerSample& out, WorkCounts& work);
+void describeSurface(const RenderScene& scene, const SurfacePoint& point, LayerSample& out,
+                     WorkCounts& work);
 
-/// The layers of a whole film: means of light, albedo and normal; the rest from each pixel's first sample.
+/// The layers of a whole film: means of light, albedo and normal; the rest from each pixel's first
+/// sample.
 class LayerFilm {
   public:
     /// All layers, or only which share of each pixel's samples met an object.
@@ -88,8 +105,8 @@ class LayerFilm {
     LayerFilm(int width, int height, Content content = Content::All);
 
     void add(int x, int y, const LayerSample& sample);
-    /// EXR channels by layer: diffuse_direct.R ... environment.B, albedo.R, normal.X, depth.Z, position.X, object_id.id,
-    /// material_id.id; the light layers only if `withLight`.
+    /// EXR channels by layer: diffuse_direct.R ... environment.B, albedo.R, normal.X, depth.Z,
+    /// position.X, object_id.id, material_id.id; the light layers only if `withLight`.
     void appendTo(std::vector<ExrChannel>& channels, bool withLight) const;
     /// height x width, row-major: 0 where every sample went past all objects, to 1.
     [[nodiscard]] std::vector<float> coverage() const;
@@ -110,8 +127,8 @@ class LayerFilm {
     std::vector<Cover> cover_;
 };
 
-/// The picture's own channels R, G, B, the number of samples and the standard error of the mean's luminance, the latter from
-/// the difference of the film's halves over 8 x 8 pixels.
+/// The picture's own channels R, G, B, the number of samples and the standard error of the mean's
+/// luminance, the latter from the difference of the film's halves over 8 x 8 pixels.
 void appendFilm(const Film& film, std::vector<ExrChannel>& channels);
 
 }  // namespace glint

@@ -12,7 +12,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 double areaOf(const PixelRect& rect) { return static_cast<double>(rect.width) * rect.height; }
 
@@ -20,7 +22,9 @@ double areaOf(const PixelRect& rect) { return static_cast<double>(rect.width) * 
 double pixelStep(const Scene& next, const Scene& old) {
     const auto size = [](const Scene& scene) {
         const Camera& camera = scene.viewCamera();
-        const double height = camera.projection == Projection::Perspective ? std::tan(degreesToRadians(camera.verticalFovDegrees) / 2) : camera.orthoHeight;
+        const double height = camera.projection == Projection::Perspective
+                                  ? std::tan(degreesToRadians(camera.verticalFovDegrees) / 2)
+                                  : camera.orthoHeight;
         return height / scene.film.height;
     };
     return size(next) / size(old);
@@ -37,9 +41,11 @@ void LivingPicture::takeUp(Wish wish) {
     next.film.height = wish_.height;
     if (!std::exchange(samplesHold_, true)) return restart(std::move(next), true);
     EditPlan plan = planFor(picture_, next, wish_.assetFolder);
-    // With a region only its pixels follow an edit, and those outside may be of an older scene: all or nothing in it.
+    // With a region only its pixels follow an edit, and those outside may be of an older scene: all
+    // or nothing in it.
     const bool whole = !wish_.region && !restIsOld_;
-    if (!whole && (plan.kind == EditPlan::Kind::Retrace || !(plan.mix == picture_.film.mix()))) plan = {};
+    if (!whole && (plan.kind == EditPlan::Kind::Retrace || !(plan.mix == picture_.film.mix())))
+        plan = {};
     if (restIsOld_ && !(workRect() == newRect_)) plan = {};
     if (plan.kind == EditPlan::Kind::Keep) return keep(plan.mix);
     if (!whole) return restart(std::move(next));
@@ -82,10 +88,12 @@ bool LivingPicture::setRegion(const std::optional<PixelRect>& region) {
     return true;
 }
 
-/// Throws away the samples that rest on changed materials; false if the edit changed more than values.
+/// Throws away the samples that rest on changed materials; false if the edit changed more than
+/// values.
 bool LivingPicture::retrace(const Scene& next, const EditPlan& plan) {
     const int before = picture_.spp;
-    if (before == 0 && !picture_.film.remembers()) return false;  // There is no picture yet to keep anything of.
+    if (before == 0 && !picture_.film.remembers())
+        return false;  // There is no picture yet to keep anything of.
     Scene traced = withLightsOf(picture_.traced, next);
     auto compiled = compile(traced, wish_.assetFolder, assets_, picture_.scene);
     if (!compiled.ok() || !sameStructure(*picture_.scene, *compiled.value().scene)) return false;
@@ -93,7 +101,8 @@ bool LivingPicture::retrace(const Scene& next, const EditPlan& plan) {
     adopt(std::move(compiled).value());
     backdrop_.reset();
     picture_.film.setMix(plan.mix);
-    if (samplesAdaptively(rules()) && before > 0) picture_.goals = goalsReached(picture_.film, adaptiveRule(rules().integrator));
+    if (samplesAdaptively(rules()) && before > 0)
+        picture_.goals = goalsReached(picture_.film, adaptiveRule(rules().integrator));
     const std::size_t forgotten = picture_.film.forget(plan.materials, pool_);
     retracedShare_ = static_cast<double>(forgotten) / areaOf(workRect());
     if (forgotten == 0) {
@@ -109,16 +118,21 @@ bool LivingPicture::retrace(const Scene& next, const EditPlan& plan) {
 }
 
 void LivingPicture::restart(Scene next, bool assetsChanged) {
-    auto compiled = assetsChanged ? compile(next, wish_.assetFolder, assets_, picture_.scene) : compileNext(next);
+    auto compiled = assetsChanged ? compile(next, wish_.assetFolder, assets_, picture_.scene)
+                                  : compileNext(next);
     if (!compiled.ok()) {
         picture_.warnings = {compiled.error()};
         return;
     }
-    const bool sameSize = picture_.film.width() == wish_.width && picture_.film.height() == wish_.height;
+    const bool sameSize =
+        picture_.film.width() == wish_.width && picture_.film.height() == wish_.height;
     const bool resized = picture_.scene && !sameSize && onlySizeDiffers(next);
-    if (resized && picture_.shownStride == 1) backdrop_ = Backdrop{picture_.film, pixelStep(next, picture_.traced)};
-    else if (resized && backdrop_) backdrop_->scale *= pixelStep(next, picture_.traced);  // Resized again before it was shown.
-    else backdrop_.reset();
+    if (resized && picture_.shownStride == 1)
+        backdrop_ = Backdrop{picture_.film, pixelStep(next, picture_.traced)};
+    else if (resized && backdrop_)
+        backdrop_->scale *= pixelStep(next, picture_.traced);  // Resized again before it was shown.
+    else
+        backdrop_.reset();
     adopt(std::move(compiled).value());
     prepareFilm(sameSize);
     picture_.traced = std::move(next);
@@ -139,12 +153,16 @@ void LivingPicture::restart(Scene next, bool assetsChanged) {
 
 /// Empties the pixels that are to be rendered anew.
 void LivingPicture::prepareFilm(bool sameSize) {
-    const double bytes = areaOf({0, 0, wish_.width, wish_.height}) * 24.0 * static_cast<double>(picture_.scene->lightGroups);
-    const std::size_t groups = bytes <= static_cast<double>(kGroupBytes) ? picture_.scene->lightGroups : 1;
+    const double bytes = areaOf({0, 0, wish_.width, wish_.height}) * 24.0 *
+                         static_cast<double>(picture_.scene->lightGroups);
+    const std::size_t groups =
+        bytes <= static_cast<double>(kGroupBytes) ? picture_.scene->lightGroups : 1;
     restIsOld_ = sameSize && wish_.region;
     newRect_ = workRect();
-    if (sameSize && (restIsOld_ || picture_.film.groups() == groups)) picture_.film.clear(workRect());
-    else picture_.film = Film(wish_.width, wish_.height, groups);
+    if (sameSize && (restIsOld_ || picture_.film.groups() == groups))
+        picture_.film.clear(workRect());
+    else
+        picture_.film = Film(wish_.width, wish_.height, groups);
     picture_.film.setMix({});
 }
 
@@ -158,7 +176,8 @@ void LivingPicture::forgetProgress() {
 
 /// The camera alone needs no compiling.
 Result<Compiled> LivingPicture::compileNext(const Scene& next) {
-    if (!picture_.scene || picture_.assetFolder != wish_.assetFolder || !sameButView(picture_.traced, next))
+    if (!picture_.scene || picture_.assetFolder != wish_.assetFolder ||
+        !sameButView(picture_.traced, next))
         return compile(next, wish_.assetFolder, assets_, picture_.scene);
     auto seen = withView(*picture_.scene, next);
     if (!seen.ok()) return seen.error();
@@ -167,7 +186,8 @@ Result<Compiled> LivingPicture::compileNext(const Scene& next) {
 
 void LivingPicture::adopt(Compiled compiled) {
     picture_.warnings.clear();
-    for (const CompileWarning& warning : compiled.warnings) picture_.warnings.push_back(warning.error);
+    for (const CompileWarning& warning : compiled.warnings)
+        picture_.warnings.push_back(warning.error);
     picture_.compileWarnings = std::move(compiled.warnings);
     picture_.scene = std::move(compiled.scene);
 }
@@ -194,21 +214,28 @@ int LivingPicture::strideFor(double seconds) const {
 
 RenderProgressState LivingPicture::progress() const {
     const bool uneven = samplesAdaptively(rules()) && picture_.spp > 0;
-    return {picture_.seconds, uneven ? picture_.errors.meanSamples : picture_.spp, picture_.spp, picture_.errors.picture};
+    return {picture_.seconds, uneven ? picture_.errors.meanSamples : picture_.spp, picture_.spp,
+            picture_.errors.picture};
 }
 
 double LivingPicture::remainingSeconds() const {
-    return picture_.spp == 0 ? kInfinity : glint::remainingSeconds(rules(), progress(), picture_.trend);
+    return picture_.spp == 0 ? kInfinity
+                             : glint::remainingSeconds(rules(), progress(), picture_.trend);
 }
 
 /// Passes at full resolution double until they take `seconds`. Nothing when cancelled.
 std::optional<SampleGoal> LivingPicture::nextGoal(double seconds, const CancelToken& cancel) {
     if (picture_.spp == 0) return SampleGoal{};
     const double affordable = seconds * samplesPerSecond_ / std::max(1.0, pendingPixels_);
-    const auto most = static_cast<std::uint32_t>(std::clamp(static_cast<int>(std::min(affordable, 1e6)), 1, std::max(1, picture_.spp)));
+    const auto most = static_cast<std::uint32_t>(
+        std::clamp(static_cast<int>(std::min(affordable, 1e6)), 1, std::max(1, picture_.spp)));
     const auto spp = static_cast<std::uint32_t>(rules().spp);
-    if (!samplesAdaptively(rules())) return SampleGoal{.samples = std::min(spp, static_cast<std::uint32_t>(picture_.spp) + most)};
-    if (picture_.goals.empty() && !nextGoals(picture_.film, workRect(), spp, adaptiveRule(rules().integrator), pool_, cancel, picture_.goals)) {
+    if (!samplesAdaptively(rules()))
+        return SampleGoal{.samples =
+                              std::min(spp, static_cast<std::uint32_t>(picture_.spp) + most)};
+    if (picture_.goals.empty() &&
+        !nextGoals(picture_.film, workRect(), spp, adaptiveRule(rules().integrator), pool_, cancel,
+                   picture_.goals)) {
         picture_.goals = {};
         return std::nullopt;
     }
@@ -222,7 +249,9 @@ PassResult LivingPicture::render(const PassTimes& times, const CancelToken& canc
     if (!goal) return PassResult::Cancelled;
     const RayCounts before = picture_.counts.rays;
     const auto start = Clock::now();
-    const PassResult result = scheduler_.renderPass(*picture_.scene, picture_.film, nullptr, workRect(), picture_.stride, *goal, cancel, picture_.counts);
+    const PassResult result =
+        scheduler_.renderPass(*picture_.scene, picture_.film, nullptr, workRect(), picture_.stride,
+                              *goal, cancel, picture_.counts);
     const double took = secondsSince(start);
     picture_.seconds += took;
     measure(before, took);
@@ -238,13 +267,18 @@ void LivingPicture::passDone(const SampleGoal& goal) {
         return;
     }
     picture_.shownStride = 1;
-    picture_.film.settle(!wish_.region);  // Outside a region there may be pixels without samples still.
+    picture_.film.settle(
+        !wish_.region);  // Outside a region there may be pixels without samples still.
     picture_.goals = {};
-    if (goal.cells) judge({});
-    else picture_.spp = static_cast<int>(goal.samples);
+    if (goal.cells)
+        judge({});
+    else
+        picture_.spp = static_cast<int>(goal.samples);
     if (picture_.spp >= pendingSpp_) pendingPixels_ = areaOf(workRect());
     // A backdrop has served when no pixel rests on it any more.
-    if (backdrop_ && (isConverged() || picture_.spp >= static_cast<int>(backdrop_->film.samples(backdrop_->film.width() / 2, backdrop_->film.height() / 2))))
+    if (backdrop_ && (isConverged() || picture_.spp >= static_cast<int>(backdrop_->film.samples(
+                                                           backdrop_->film.width() / 2,
+                                                           backdrop_->film.height() / 2))))
         backdrop_.reset();
 }
 
@@ -256,7 +290,8 @@ void LivingPicture::lookAhead(const CancelToken& cancel) {
 
 void LivingPicture::measure(const RayCounts& before, double took) {
     const RayCounts& now = picture_.counts.rays;
-    const auto samples = static_cast<double>(now.primary - before.primary), rays = static_cast<double>(now.total() - before.total());
+    const auto samples = static_cast<double>(now.primary - before.primary),
+               rays = static_cast<double>(now.total() - before.total());
     rays_ += now.total() - before.total();
     if (samples < 64 || took <= 0) return;
     samplesPerSecond_ = samples / took;
@@ -265,12 +300,15 @@ void LivingPicture::measure(const RayCounts& before, double took) {
 
 // ---- Errors ----
 
-// Finding them may cost one part in a hundred of the time, but for the first few samples, whose errors change fast.
+// Finding them may cost one part in a hundred of the time, but for the first few samples, whose
+// errors change fast.
 bool LivingPicture::needsJudging() const {
     if (picture_.spp == 0) return false;
     const Picture::Judged& last = picture_.judged;
     if (!(last.rect == workRect()) || !(last.mix == picture_.film.mix())) return true;
-    return last.spp < picture_.spp && (picture_.spp >= 2 * last.spp || picture_.seconds - last.seconds > 100 * judgingTook_ || isConverged());
+    return last.spp < picture_.spp &&
+           (picture_.spp >= 2 * last.spp || picture_.seconds - last.seconds > 100 * judgingTook_ ||
+            isConverged());
 }
 
 bool LivingPicture::judge(const CancelToken& cancel) {

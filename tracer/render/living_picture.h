@@ -1,6 +1,6 @@
-// LivingPicture: the picture behind a viewport, through edits and passes: it keeps of its samples what an edit does not touch, brings
-// back what undo has seen before, and knows which pass comes next. One thread calls it; messages and frames are session.h's.
-// Start at takeUp() and render().
+// LivingPicture: the picture behind a viewport, through edits and passes: it keeps of its samples
+// what an edit does not touch, brings back what undo has seen before, and knows which pass comes
+// next. One thread calls it; messages and frames are session.h's. Start at takeUp() and render().
 #pragma once
 
 #include "tracer/compile/compiler.h"
@@ -12,7 +12,8 @@ namespace glint {
 class LivingPicture {
   public:
     /// `wanted`: what kernels must offer beside what scenes hold, see chooseKernel().
-    explicit LivingPicture(WorkerPool& pool, Features wanted = 0) : pool_(pool), scheduler_(pool, wanted, &firstHits_) {}
+    explicit LivingPicture(WorkerPool& pool, Features wanted = 0)
+        : pool_(pool), scheduler_(pool, wanted, &firstHits_) {}
     LivingPicture(const LivingPicture&) = delete;
 
     /// What is to be shown.
@@ -22,28 +23,34 @@ class LivingPicture {
         int width = 0, height = 0;        ///< of the picture in pixels
         std::optional<PixelRect> region;  ///< only these get samples; within the picture
     };
-    /// Makes the picture one of `wish`, with as many of its samples as hold. A scene that cannot be compiled leaves it as it is.
+    /// Makes the picture one of `wish`, with as many of its samples as hold. A scene that cannot be
+    /// compiled leaves it as it is.
     void takeUp(Wish wish);
     /// No sample holds any more, nor any kept for undo: the next takeUp() starts from nothing.
     void forgetSamples();
-    /// Only the region is another one. False: the picture cannot follow without takeUp(), because the pixels outside the old one
-    /// may be of an older scene.
+    /// Only the region is another one. False: the picture cannot follow without takeUp(), because
+    /// the pixels outside the old one may be of an older scene.
     bool setRegion(const std::optional<PixelRect>& region);
 
     [[nodiscard]] bool exists() const { return picture_.scene != nullptr; }
     /// A stop rule is met.
-    [[nodiscard]] bool isConverged() const { return picture_.spp > 0 && isDone(rules(), progress()); }
-    /// Every pixel has something to show that needs no pass: the picture is complete, or the one of before stands in.
+    [[nodiscard]] bool isConverged() const {
+        return picture_.spp > 0 && isDone(rules(), progress());
+    }
+    /// Every pixel has something to show that needs no pass: the picture is complete, or the one of
+    /// before stands in.
     [[nodiscard]] bool isShowable() const { return picture_.shownStride > 0 && !firstPassPending_; }
 
-    /// What single passes do to the clock: the first one after an edit takes about `first`, one at full resolution at most `full`.
+    /// What single passes do to the clock: the first one after an edit takes about `first`, one at
+    /// full resolution at most `full`.
     struct PassTimes {
         double first, full;  ///< seconds
     };
     /// Renders the pass that comes next.
     PassResult render(const PassTimes& times, const CancelToken& cancel);
 
-    /// Gets ready for an edit that keeps this picture for undo and begins a new one: memory from the system is slow. A little at a time.
+    /// Gets ready for an edit that keeps this picture for undo and begins a new one: memory from
+    /// the system is slow. A little at a time.
     void lookAhead(const CancelToken& cancel);
 
     /// The errors are to be found again, because the film has changed by more than a little.
@@ -61,12 +68,16 @@ class LivingPicture {
     [[nodiscard]] double raysPerSecond() const { return raysPerSecond_; }
 
   private:
-    /// For pictures of scenes that undo may come back to, and for sums by light group (without which light edits restart). First hits, which
-    /// are kept of the present picture alone, take 16 bytes a pixel beside.
-    static constexpr std::size_t kCacheBytes = std::size_t{512} << 20, kGroupBytes = std::size_t{256} << 20;
+    /// For pictures of scenes that undo may come back to, and for sums by light group (without
+    /// which light edits restart). First hits, which are kept of the present picture alone, take 16
+    /// bytes a pixel beside.
+    static constexpr std::size_t kCacheBytes = std::size_t{512} << 20,
+                                 kGroupBytes = std::size_t{256} << 20;
     static constexpr int kMaxStride = 64;
 
-    [[nodiscard]] PixelRect workRect() const { return wish_.region.value_or(PixelRect{0, 0, wish_.width, wish_.height}); }
+    [[nodiscard]] PixelRect workRect() const {
+        return wish_.region.value_or(PixelRect{0, 0, wish_.width, wish_.height});
+    }
     [[nodiscard]] const RenderSettings& rules() const { return wish_.scene.render; }
     [[nodiscard]] RenderProgressState progress() const;
 

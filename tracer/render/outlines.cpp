@@ -13,12 +13,13 @@ namespace {
 
 /// Rays of a pixel at most in the first call of refine().
 constexpr int kMostProbes = 64;
-/// Of an edge that lies anywhere between the middles of two neighbours: how much of the other's light one takes, and its error then over
-/// the step. With the share a of the other, the squared error is the mean of those of an edge within the pixel, evenly in [-a, 1/2 - a], and of one
+/// Of an edge that lies anywhere between the middles of two neighbours: how much of the other's
+/// light one takes, and its error then over the step. With the share a of the other, the squared
+/// error is the mean of those of an edge within the pixel, evenly in [-a, 1/2 - a], and of one
 /// within the other, a^2: least at a = 1/8.
 constexpr float kEdgeShare = 0.125f, kEdgeError = 0.16f;
-/// Branches of glass that are there by chance make noise. So dim they may be over the error that is wanted: best of 0.003 to 0.03 at 4 to 0.25 %
-/// in tests/bench/scenes/classic/glass.json.
+/// Branches of glass that are there by chance make noise. So dim they may be over the error that is
+/// wanted: best of 0.003 to 0.03 at 4 to 0.25 % in tests/bench/scenes/classic/glass.json.
 constexpr double kDimShare = 0.6;
 /// What the curvature told by neighbours is wrong by.
 constexpr float kCurvatureError = 0.5f;
@@ -26,7 +27,8 @@ constexpr float kCurvatureError = 0.5f;
 }  // namespace
 
 struct alignas(64) Outlines::Worker {
-    Worker(const RenderScene& scene, float dim, const CancelToken& cancel) : state{.scene = scene, .cancel = cancel, .dim = dim} {}
+    Worker(const RenderScene& scene, float dim, const CancelToken& cancel)
+        : state{.scene = scene, .cancel = cancel, .dim = dim} {}
 
     /// A probe on a side of a pixel, which two pixels ask for.
     struct Shared {
@@ -36,8 +38,8 @@ struct alignas(64) Outlines::Worker {
 
     KernelState state;
     FewShapes seen;
-    std::uint64_t materials = 0;  ///< of the pixel
-    std::uint32_t probes = 0;     ///< of the pixel, also their numbers
+    std::uint64_t materials = 0;                       ///< of the pixel
+    std::uint32_t probes = 0;                          ///< of the pixel, also their numbers
     std::unordered_map<std::uint64_t, Shared> shared;  ///< of the tile, by place
     std::vector<Entry> entries;
 };
@@ -45,7 +47,9 @@ struct alignas(64) Outlines::Worker {
 /// One call of look() or refine().
 struct Outlines::Run {
     Run(const RenderScene& scene, float dim, WorkerPool& threads, const CancelToken& token)
-        : pool(threads), cancel(token), workers(static_cast<std::size_t>(threads.threads()), Worker(scene, dim, token)) {}
+        : pool(threads),
+          cancel(token),
+          workers(static_cast<std::size_t>(threads.threads()), Worker(scene, dim, token)) {}
 
     void addTo(RenderCounts& counts) const {
         for (const Worker& worker : workers) counts.add(worker.state.rays, worker.state.work);
@@ -60,7 +64,8 @@ bool Outlines::suit(const RenderScene& scene) {
     const auto& lights = scene.lights.lights;
     for (std::size_t i = 0; i < lights.size(); ++i)
         if (i != scene.lights.environmentLight && !lights[i].isDelta()) return false;
-    return scene.settings.integrator == Integrator::Classic && scene.film.filter == Filter::Box && scene.film.filterRadius == 0.5 && !scene.camera.hasLens();
+    return scene.settings.integrator == Integrator::Classic && scene.film.filter == Filter::Box &&
+           scene.film.filterRadius == 0.5 && !scene.camera.hasLens();
 }
 
 Outlines::Outlines(const RenderScene& scene, Features wanted, const PixelRect& rect, double error)
@@ -74,20 +79,25 @@ Outlines::Outlines(const RenderScene& scene, Features wanted, const PixelRect& r
 
 bool Outlines::look(Film& film, WorkerPool& pool, const CancelToken& cancel, RenderCounts& counts) {
     Run run(scene_, dim_, pool, cancel);
-    const bool complete = eachWanted(run, [&](Worker& worker, int x, int y) { lookAt(worker, x, y); }) &&
-                          eachWanted(run, [&](Worker&, int x, int y) { putMiddle(film, x, y); });
+    const bool complete =
+        eachWanted(run, [&](Worker& worker, int x, int y) { lookAt(worker, x, y); }) &&
+        eachWanted(run, [&](Worker&, int x, int y) { putMiddle(film, x, y); });
     run.addTo(counts);
     sumUp();
     return complete;
 }
 
-bool Outlines::refine(Film& film, WorkerPool& pool, const CancelToken& cancel, RenderCounts& counts) {
+bool Outlines::refine(Film& film, WorkerPool& pool, const CancelToken& cancel,
+                      RenderCounts& counts) {
     Run run(scene_, dim_, pool, cancel);
     const double tolerance = this->tolerance();
-    for (Pixel& pixel : pixels_) pixel.isWanted = !pixel.isHard && (pixel.error > tolerance || pixel.middle.doubt < 0);
+    for (Pixel& pixel : pixels_)
+        pixel.isWanted = !pixel.isHard && (pixel.error > tolerance || pixel.middle.doubt < 0);
     ++calls_;
     bool complete = true;
-    do complete = eachWanted(run, [&](Worker& worker, int x, int y) { refine(film, worker, x, y, tolerance); });
+    do
+        complete = eachWanted(
+            run, [&](Worker& worker, int x, int y) { refine(film, worker, x, y, tolerance); });
     while (complete && follow(run));
     run.addTo(counts);
     sumUp();
@@ -98,13 +108,16 @@ bool Outlines::refine(Film& film, WorkerPool& pool, const CancelToken& cancel, R
 template <class Visit>
 bool Outlines::eachWanted(Run& run, const Visit& visit) {
     const int left = rect_.x / Film::kTile, top = rect_.y / Film::kTile;
-    const int columns = (rect_.x + rect_.width + Film::kTile - 1) / Film::kTile - left, rows = (rect_.y + rect_.height + Film::kTile - 1) / Film::kTile - top;
+    const int columns = (rect_.x + rect_.width + Film::kTile - 1) / Film::kTile - left,
+              rows = (rect_.y + rect_.height + Film::kTile - 1) / Film::kTile - top;
     std::atomic<bool> complete{true};  // Only a flag, read when all workers have ended: relaxed.
     run.pool.run(columns * rows, [&](int index, int piece) {
         Worker& worker = run.workers[static_cast<std::size_t>(index)];
         const int column = left + piece % columns, row = top + piece / columns;
-        const int x0 = std::max(rect_.x, column * Film::kTile), x1 = std::min(rect_.x + rect_.width, (column + 1) * Film::kTile);
-        const int y0 = std::max(rect_.y, row * Film::kTile), y1 = std::min(rect_.y + rect_.height, (row + 1) * Film::kTile);
+        const int x0 = std::max(rect_.x, column * Film::kTile),
+                  x1 = std::min(rect_.x + rect_.width, (column + 1) * Film::kTile);
+        const int y0 = std::max(rect_.y, row * Film::kTile),
+                  y1 = std::min(rect_.y + rect_.height, (row + 1) * Film::kTile);
         bool isReady = false;
         for (int y = y0; y < y1; ++y)
             for (int x = x0; x < x1; ++x) {
@@ -112,7 +125,8 @@ bool Outlines::eachWanted(Run& run, const Visit& visit) {
                 if (run.cancel.cancelled()) return complete.store(false, std::memory_order_relaxed);
                 if (!std::exchange(isReady, true)) {
                     worker.shared.clear();
-                    worker.state.seen = culls_ ? shapesSeen(scene_, x0, y0, x1, y1, worker.seen) : nullptr;
+                    worker.state.seen =
+                        culls_ ? shapesSeen(scene_, x0, y0, x1, y1, worker.seen) : nullptr;
                 }
                 visit(worker, x, y);
             }
@@ -127,7 +141,8 @@ Probe Outlines::probe(Worker& worker, int x, int y, const DVec2& u) const {
     const Sampler sampler = samplerFor(scene_, x, y, worker.probes++);
     const Rgb value = trace_(worker.state, scene_.camera.ray(x + u.x, y + u.y), sampler);
     worker.materials |= worker.state.materials;
-    if (isFinite(value) && std::isfinite(worker.state.doubt)) return {value, worker.state.trail, std::sqrt(worker.state.doubt)};
+    if (isFinite(value) && std::isfinite(worker.state.doubt))
+        return {value, worker.state.trail, std::sqrt(worker.state.doubt)};
     return {isFinite(value) ? value : Rgb(0.0f), worker.state.trail, -1};
 }
 
@@ -147,33 +162,41 @@ void Outlines::putMiddle(Film& film, int x, int y) {
     pixel.step = 0;
     pixel.isSmooth = true;
     const std::ptrdiff_t left = x > rect_.x ? -1 : 0, right = x + 1 < rect_.x + rect_.width ? 1 : 0;
-    const std::ptrdiff_t above = y > rect_.y ? -rect_.width : 0, below = y + 1 < rect_.y + rect_.height ? rect_.width : 0;
+    const std::ptrdiff_t above = y > rect_.y ? -rect_.width : 0,
+                         below = y + 1 < rect_.y + rect_.height ? rect_.width : 0;
     const auto compare = [&](std::ptrdiff_t place) {
         const Probe& other = here[place].middle;
         if (other.trail == own.trail && !(other.doubt < 0)) return;
         pixel.step = std::max(pixel.step, lightOf(other.value - own.value));
         pixel.isSmooth = false;
     };
-    for (const std::ptrdiff_t row : {above, std::ptrdiff_t{0}, below}) compare(row + left), compare(row), compare(row + right);
+    for (const std::ptrdiff_t row : {above, std::ptrdiff_t{0}, below})
+        compare(row + left), compare(row), compare(row + right);
     const Rgb beyond = beyondMiddle(x, y);
-    const float unsure = pixel.isSmooth ? kCurvatureError * lightOf(beyond) : kEdgeError * pixel.step, doubt = std::max(own.doubt, 0.0f);
+    const float unsure =
+                    pixel.isSmooth ? kCurvatureError * lightOf(beyond) : kEdgeError * pixel.step,
+                doubt = std::max(own.doubt, 0.0f);
     pixel.error = std::sqrt(unsure * unsure + doubt * doubt);
     film.put(x, y, own.value + beyond, pixel.error, 1, pixel.materials);
 }
 
-/// What the mean over the pixel is more than the middle, as far as neighbours tell: a 24th of the second differences where all is smooth, a
-/// share of what is beyond an edge.
+/// What the mean over the pixel is more than the middle, as far as neighbours tell: a 24th of the
+/// second differences where all is smooth, a share of what is beyond an edge.
 Rgb Outlines::beyondMiddle(int x, int y) const {
     Rgb out(0.0f);
     const Pixel* pixel = &at(x, y);
     const Probe& own = pixel->middle;
-    const bool hasColumns = x > rect_.x && x + 1 < rect_.x + rect_.width, hasRows = y > rect_.y && y + 1 < rect_.y + rect_.height;
+    const bool hasColumns = x > rect_.x && x + 1 < rect_.x + rect_.width,
+               hasRows = y > rect_.y && y + 1 < rect_.y + rect_.height;
     for (const std::ptrdiff_t stride : {hasColumns ? 1 : 0, hasRows ? rect_.width : 0}) {
         if (stride == 0) continue;
         const Probe &before = pixel[-stride].middle, &after = pixel[stride].middle;
         const bool isBefore = before.trail == own.trail, isAfter = after.trail == own.trail;
-        if (isBefore && isAfter) out += (before.value + after.value - 2.0f * own.value) * (1.0f / 24);
-        else out += (isBefore ? 0.0f : kEdgeShare) * (before.value - own.value) + (isAfter ? 0.0f : kEdgeShare) * (after.value - own.value);
+        if (isBefore && isAfter)
+            out += (before.value + after.value - 2.0f * own.value) * (1.0f / 24);
+        else
+            out += (isBefore ? 0.0f : kEdgeShare) * (before.value - own.value) +
+                   (isAfter ? 0.0f : kEdgeShare) * (after.value - own.value);
     }
     return out;
 }
@@ -192,13 +215,15 @@ double Outlines::tolerance() const {
     for (const Pixel& pixel : pixels_) {
         light += static_cast<double>(luminance(pixel.middle.value));
         if (!(pixel.error > 0) || pixel.isHard) continue;
-        const int i = std::clamp(static_cast<int>(std::floor(4 * std::log2(pixel.error))) + kBins / 2, 0, kBins - 1);
+        const int i = std::clamp(
+            static_cast<int>(std::floor(4 * std::log2(pixel.error))) + kBins / 2, 0, kBins - 1);
         const double square = static_cast<double>(pixel.error) * static_cast<double>(pixel.error);
         bins[static_cast<std::size_t>(i)].squares += square;
         bins[static_cast<std::size_t>(i)].count += 1;
         squares += square;
     }
-    const double allowed = 0.5 * wantedError_ * wantedError_ * light * light / static_cast<double>(pixels_.size());  // sum of squares
+    const double allowed = 0.5 * wantedError_ * wantedError_ * light * light /
+                           static_cast<double>(pixels_.size());  // sum of squares
     // From the largest down: all above the tolerance are brought to it.
     double above = 0;
     for (int i = kBins - 1; i >= 0; --i) {
@@ -206,7 +231,8 @@ double Outlines::tolerance() const {
         const double least = std::exp2((i - kBins / 2) / 4.0);
         squares -= bin.squares;
         above += bin.count;
-        if (squares + above * least * least <= allowed) return std::sqrt((allowed - squares) / std::max(1.0, above));
+        if (squares + above * least * least <= allowed)
+            return std::sqrt((allowed - squares) / std::max(1.0, above));
     }
     return 0;
 }
@@ -214,7 +240,9 @@ double Outlines::tolerance() const {
 /// As probe(), asked once where two pixels meet.
 Probe Outlines::sharedProbe(Worker& worker, int x, int y, const DVec2& u) const {
     if (u.x != 0 && u.x != 1 && u.y != 0 && u.y != 1) return probe(worker, x, y, u);
-    const auto place = [](int pixel, double v) { return static_cast<std::uint64_t>(std::ldexp(pixel % Film::kTile + v, 26)); };
+    const auto place = [](int pixel, double v) {
+        return static_cast<std::uint64_t>(std::ldexp(pixel % Film::kTile + v, 26));
+    };
     const std::uint64_t key = place(x, u.x) << 32 | place(y, u.y);
     if (const auto known = worker.shared.find(key); known != worker.shared.end()) {
         worker.materials |= known->second.materials;
@@ -232,8 +260,12 @@ void Outlines::refine(Film& film, Worker& worker, int x, int y, double tolerance
     worker.probes = 1;
     worker.materials = pixel.materials;
     OutlineMean mean;
-    const std::function<Probe(const DVec2&)> ask = [&](const DVec2& u) { return sharedProbe(worker, x, y, u); };
-    const bool told = pixel.middle.doubt >= 0 && OutlineCell(ask).integrate(pixel.middle, tolerance, pixel.split, kMostProbes << (calls_ - 1), pixel.step, mean);
+    const std::function<Probe(const DVec2&)> ask = [&](const DVec2& u) {
+        return sharedProbe(worker, x, y, u);
+    };
+    const bool told = pixel.middle.doubt >= 0 &&
+                      OutlineCell(ask).integrate(pixel.middle, tolerance, pixel.split,
+                                                 kMostProbes << (calls_ - 1), pixel.step, mean);
     if (worker.state.cancelled) return;
     pixel.isHard = !told || (isDone() && mean.error > tolerance);
     if (pixel.isHard) return film.clear({x, y, 1, 1});
@@ -245,11 +277,13 @@ void Outlines::refine(Film& film, Worker& worker, int x, int y, double tolerance
         if (crossed.depth < 0) continue;
         pixel.crossed[i] = true;
         if (std::ldexp(static_cast<double>(kEdgeError) * crossed.step, -crossed.depth) > tolerance)
-            worker.entries.push_back({x + kSides[i][0], y + kSides[i][1], (i + 2) & 3, crossed.depth});
+            worker.entries.push_back(
+                {x + kSides[i][0], y + kSides[i][1], (i + 2) & 3, crossed.depth});
     }
 }
 
-/// Wants the pixels into which an outline goes that was not known of there; false if there are none.
+/// Wants the pixels into which an outline goes that was not known of there; false if there are
+/// none.
 bool Outlines::follow(Run& run) {
     constexpr int kMostSplit = 2;
     for (Pixel& pixel : pixels_) pixel.isWanted = false;
@@ -259,7 +293,9 @@ bool Outlines::follow(Run& run) {
             if (!holds(entry.x, entry.y)) continue;
             Pixel& pixel = at(entry.x, entry.y);
             const auto split = static_cast<std::int8_t>(std::min(entry.split, kMostSplit));
-            if (pixel.isHard || pixel.crossed[entry.side] || (pixel.isEntered && split <= pixel.split)) continue;
+            if (pixel.isHard || pixel.crossed[entry.side] ||
+                (pixel.isEntered && split <= pixel.split))
+                continue;
             pixel.split = std::max(pixel.split, split);
             pixel.isEntered = pixel.isWanted = any = true;
         }
@@ -272,7 +308,8 @@ void Outlines::sumUp() {
     double squares = 0, light = 0;
     for (const Pixel& pixel : pixels_) {
         light += static_cast<double>(luminance(pixel.middle.value));
-        if (!pixel.isHard) squares += static_cast<double>(pixel.error) * static_cast<double>(pixel.error);
+        if (!pixel.isHard)
+            squares += static_cast<double>(pixel.error) * static_cast<double>(pixel.error);
     }
     const auto count = static_cast<double>(pixels_.size());
     error_ = light > 0 ? std::sqrt(squares / count) / (light / count) : 0;

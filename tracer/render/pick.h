@@ -17,7 +17,9 @@ struct Pick {
     double distance = 0;  ///< from the camera, metres
 };
 
-/// The first surface under the point (x, y) of a picture of width x height, in pixels from the top left corner.
-[[nodiscard]] std::optional<Pick> pick(const RenderScene& scene, int width, int height, double x, double y);
+/// The first surface under the point (x, y) of a picture of width x height, in pixels from the top
+/// left corner.
+[[nodiscard]] std::optional<Pick> pick(const RenderScene& scene, int width, int height, double x,
+                                       double y);
 
 }  // namespace glint

@@ -1,5 +1,5 @@
-// Picture: a film with the scene that its samples are of and how far it is; and PictureCache, which keeps those of scenes that an
-// undo may come back to.
+// Picture: a film with the scene that its samples are of and how far it is; and PictureCache, which
+// keeps those of scenes that an undo may come back to.
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,19 @@
 #include "tracer/compile/compiler.h"
 #include "tracer/render/edit_plan.h"
 #include "tracer/render/scheduler.h"
-#include "tracer/render/tile_error.h"
 #include "tracer/render/stop_rule.h"
+#include "tracer/render/tile_error.h"
 
 namespace glint {
 
 struct Picture {
-    Scene traced;  ///< with the picture's size; the samples are of its lights, the film's mix makes other ones of them
+    Scene traced;  ///< with the picture's size; the samples are of its lights, the film's mix makes
+                   ///< other ones of them
     std::filesystem::path assetFolder;
     LightGroups groups{Scene{}};
-    std::shared_ptr<const RenderScene> scene;  ///< `traced`, compiled; null: there is no picture
+    std::shared_ptr<const RenderScene> scene;     ///< `traced`, compiled; null: there is no picture
     std::vector<CompileWarning> compileWarnings;  ///< of `scene`
-    std::vector<Error> warnings;                  ///< the same for people, or why the last edit is not shown
+    std::vector<Error> warnings;  ///< the same for people, or why the last edit is not shown
     Film film;
     RenderCounts counts;
     double seconds = 0;
@@ -41,12 +42,14 @@ struct Picture {
 };
 
 /// How `picture` becomes one of `next` in that folder.
-[[nodiscard]] EditPlan planFor(const Picture& picture, const Scene& next, const std::filesystem::path& assetFolder);
+[[nodiscard]] EditPlan planFor(const Picture& picture, const Scene& next,
+                               const std::filesystem::path& assetFolder);
 
 /// Pictures by scene, the last used first; films share what they have in common.
 class PictureCache {
   public:
-    /// Keeps films of at most so many bytes; what else pictures hold is small. First hits (first_hits.h) are not kept for undo.
+    /// Keeps films of at most so many bytes; what else pictures hold is small. First hits
+    /// (first_hits.h) are not kept for undo.
     explicit PictureCache(std::size_t bytes) : limit_(bytes) {}
 
     /// Keeps a copy if it is worth it: full resolution and a good part of a second.

@@ -18,7 +18,8 @@ double floorOf(const Image& image) {
 }
 
 float quantile(std::vector<float>& values, double share) {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    const auto place = values.begin() +
+                       static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), place, values.end());
     return *place;
 }
@@ -42,9 +43,11 @@ void ReferenceSum::add(const Image& image) {
 }
 
 Reference ReferenceSum::reference() const {
-    Reference out{{width_, height_, std::vector<float>(mean_.begin(), mean_.end())}, std::vector<float>(mean_.size())};
+    Reference out{{width_, height_, std::vector<float>(mean_.begin(), mean_.end())},
+                  std::vector<float>(mean_.size())};
     const double n = count_;
-    for (std::size_t i = 0; i < mean_.size() && count_ > 1; ++i) out.variance[i] = static_cast<float>(squares_[i] / (n * (n - 1)));
+    for (std::size_t i = 0; i < mean_.size() && count_ > 1; ++i)
+        out.variance[i] = static_cast<float>(squares_[i] / (n * (n - 1)));
     return out;
 }
 
@@ -65,7 +68,8 @@ PictureErrors pictureErrors(const Image& image, const Reference& reference) {
     out.mape /= n;
     const float limit = 50 * quantile(relative, 0.5);
     out.percentile99 = quantile(relative, 0.99);
-    const auto outliers = std::count_if(relative.begin(), relative.end(), [&](float e) { return e > limit; });
+    const auto outliers =
+        std::count_if(relative.begin(), relative.end(), [&](float e) { return e > limit; });
     out.outlierShare = limit > 0 ? static_cast<double>(outliers) / n : 0;
     return out;
 }

@@ -8,14 +8,15 @@ namespace glint {
 
 namespace {
 
-/// Edges of strips of equal weight under the four-term Blackman-Harris window a0 + a1 cos(pi x) + a2 cos(2 pi x) + a3 cos(3 pi x)
-/// (Harris, "On the use of windows", 1978) on [-1, 1].
+/// Edges of strips of equal weight under the four-term Blackman-Harris window a0 + a1 cos(pi x) +
+/// a2 cos(2 pi x) + a3 cos(3 pi x) (Harris, "On the use of windows", 1978) on [-1, 1].
 class BlackmanHarris {
   public:
     static constexpr int kStrips = 4096;
 
     BlackmanHarris() {
-        for (int i = 0; i <= kStrips; ++i) edge_[static_cast<std::size_t>(i)] = invert(static_cast<double>(i) / kStrips);
+        for (int i = 0; i <= kStrips; ++i)
+            edge_[static_cast<std::size_t>(i)] = invert(static_cast<double>(i) / kStrips);
     }
     [[nodiscard]] double sample(double u) const {
         const double place = u * kStrips;
@@ -26,8 +27,10 @@ class BlackmanHarris {
   private:
     static double cumulative(double x) {
         constexpr double a0 = 0.35875, a1 = 0.48829, a2 = 0.14128, a3 = 0.01168;
-        return 0.5 + (a0 * x + a1 / kPi * std::sin(kPi * x) + a2 / (2 * kPi) * std::sin(2 * kPi * x) +
-                      a3 / (3 * kPi) * std::sin(3 * kPi * x)) / (2 * a0);
+        return 0.5 +
+               (a0 * x + a1 / kPi * std::sin(kPi * x) + a2 / (2 * kPi) * std::sin(2 * kPi * x) +
+                a3 / (3 * kPi) * std::sin(3 * kPi * x)) /
+                   (2 * a0);
     }
     static double invert(double u) {
         double lo = -1, hi = 1;
@@ -45,9 +48,12 @@ class BlackmanHarris {
 
 double sampleFilter(Filter filter, double u) {
     switch (filter) {
-        case Filter::Box: return 2 * u - 1;
-        case Filter::Tent: return u < 0.5 ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u);
-        case Filter::BlackmanHarris: break;
+        case Filter::Box:
+            return 2 * u - 1;
+        case Filter::Tent:
+            return u < 0.5 ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u);
+        case Filter::BlackmanHarris:
+            break;
     }
     static const BlackmanHarris table;
     return table.sample(u);

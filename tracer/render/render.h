@@ -1,5 +1,5 @@
-// Headless rendering: one compiled scene to one picture, on threads of its own. For glint-render, tests and benches; the
-// editor's living render is session.h.
+// Headless rendering: one compiled scene to one picture, on threads of its own. For glint-render,
+// tests and benches; the editor's living render is session.h.
 #pragma once
 
 #include <array>
@@ -50,7 +50,8 @@ struct RenderProgress {
     double error = 0;     ///< of the picture, see pictureError(); infinite at first
 };
 
-/// Which kernel traces a scene. All give the same bits; the others show what the smallest one spares.
+/// Which kernel traces a scene. All give the same bits; the others show what the smallest one
+/// spares.
 enum class KernelChoice {
     Smallest,  ///< that covers the scene
     Full,      ///< made for everything a scene can hold
@@ -58,25 +59,31 @@ enum class KernelChoice {
 };
 
 struct RenderRequest {
-    int threads = 0;                  ///< 0: as many as the machine has processors
-    std::optional<PixelRect> crop;    ///< in film pixels
-    const std::atomic<bool>* stop = nullptr;  ///< set it to end at the next path vertex; what is there is kept
-    const std::atomic<bool>* pause = nullptr;  ///< while it is set no pass is begun; the time does not count
-    bool layers = false;              ///< fill Rendering::layers; costs time and some 300 bytes a pixel
+    int threads = 0;                ///< 0: as many as the machine has processors
+    std::optional<PixelRect> crop;  ///< in film pixels
+    const std::atomic<bool>* stop =
+        nullptr;  ///< set it to end at the next path vertex; what is there is kept
+    const std::atomic<bool>* pause =
+        nullptr;          ///< while it is set no pass is begun; the time does not count
+    bool layers = false;  ///< fill Rendering::layers; costs time and some 300 bytes a pixel
     KernelChoice kernel = KernelChoice::Smallest;
-    bool alpha = false;               ///< fill Rendering::alpha
-    bool filter = false;              ///< fill Rendering::filtered
-    double memory = 0;                ///< bytes to use at most; 0: what the system has free
-    std::function<void(const RenderProgress&)> progress;  ///< called a few times a second on the calling thread
+    bool alpha = false;   ///< fill Rendering::alpha
+    bool filter = false;  ///< fill Rendering::filtered
+    double memory = 0;    ///< bytes to use at most; 0: what the system has free
+    std::function<void(const RenderProgress&)>
+        progress;  ///< called a few times a second on the calling thread
 };
 
 struct Rendering {
-    Image beauty;  ///< film size, mean of the samples
+    Image beauty;    ///< film size, mean of the samples
     Image filtered;  ///< if asked for: the picture denoised for a preview, see preview_filter.h
-    std::vector<ExrChannel> layers;  ///< if asked for: the channels of a multi-layer EXR, see layers.h
-    std::vector<float> alpha;        ///< if asked for: share of each pixel's samples that met an object, row-major
-    int spp = 0;   ///< samples that every pixel has
-    bool even = true;  ///< no pixel has more than that: the picture can be made again from its number
+    std::vector<ExrChannel>
+        layers;  ///< if asked for: the channels of a multi-layer EXR, see layers.h
+    std::vector<float>
+        alpha;    ///< if asked for: share of each pixel's samples that met an object, row-major
+    int spp = 0;  ///< samples that every pixel has
+    bool even =
+        true;  ///< no pixel has more than that: the picture can be made again from its number
     int threads = 0;
     double seconds = 0;
     double error = 0;  ///< of the picture, see pictureError()
@@ -88,13 +95,16 @@ struct Rendering {
     bool interrupted = false;
 };
 
-/// Why this machine cannot render the picture: it needs more memory than is free. Asked before rendering, for a system that
-/// runs out of memory ends programs without a word.
-[[nodiscard]] std::optional<Error> memoryProblem(const RenderScene& scene, const RenderRequest& request);
+/// Why this machine cannot render the picture: it needs more memory than is free. Asked before
+/// rendering, for a system that runs out of memory ends programs without a word.
+[[nodiscard]] std::optional<Error> memoryProblem(const RenderScene& scene,
+                                                 const RenderRequest& request);
 
-/// Renders until the scene's own stop rule (samples, time, error) is met. Bit-identical for every number of threads. A film that
-/// does not fit into memory is rendered in bands of rows, one after the other, where the rule is the number of samples alone.
-[[nodiscard]] Rendering render(const std::shared_ptr<const RenderScene>& scene, const RenderRequest& request);
+/// Renders until the scene's own stop rule (samples, time, error) is met. Bit-identical for every
+/// number of threads. A film that does not fit into memory is rendered in bands of rows, one after
+/// the other, where the rule is the number of samples alone.
+[[nodiscard]] Rendering render(const std::shared_ptr<const RenderScene>& scene,
+                               const RenderRequest& request);
 
 /// The value of one sample of one pixel, as the render computes it.
 [[nodiscard]] Rgb renderSample(const RenderScene& scene, const SamplePlace& place);

@@ -13,14 +13,15 @@ struct CellGoals {
 
     [[nodiscard]] bool empty() const { return samples.empty(); }
     [[nodiscard]] std::uint32_t at(int x, int y) const {
-        return samples[static_cast<std::size_t>(y / cell) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x / cell)];
+        return samples[static_cast<std::size_t>(y / cell) * static_cast<std::size_t>(columns) +
+                       static_cast<std::size_t>(x / cell)];
     }
 };
 
 struct SampleGoal {
-    std::uint32_t samples = 1;         ///< that every pixel is to have, unless `cells` says it by cell
+    std::uint32_t samples = 1;  ///< that every pixel is to have, unless `cells` says it by cell
     const CellGoals* cells = nullptr;
-    std::uint32_t most = ~0u;          ///< new samples that a pixel gets in this pass
+    std::uint32_t most = ~0u;  ///< new samples that a pixel gets in this pass
 };
 
 }  // namespace glint

@@ -1,4 +1,5 @@
-// Evaluating a compiled material at a point: the smooth leaves as one mixture, the delta leaves as a list of branches.
+// Evaluating a compiled material at a point: the smooth leaves as one mixture, the delta leaves as
+// a list of branches.
 #pragma once
 
 #include <array>
@@ -9,19 +10,23 @@ namespace glint {
 
 /// The delta branches at a point with their leaf weights applied.
 struct Branches {
-    static constexpr int kCapacity = 4;  ///< mirrored, refracted, straight on, and refracted straight on
+    static constexpr int kCapacity =
+        4;  ///< mirrored, refracted, straight on, and refracted straight on
     std::array<DeltaBranch, kCapacity> at;
     int count = 0;
     float total = 0;  ///< sum of the sizes
 
     /// What a branch is chosen by: its largest share of light.
-    static float size(const DeltaBranch& branch) { return maxComponent(branch.weight) / branch.scale; }
+    static float size(const DeltaBranch& branch) {
+        return maxComponent(branch.weight) / branch.scale;
+    }
 
     /// Leaves that send light the same way make one branch.
     void add(const DeltaBranch& branch) {
         if (!(size(branch) > 0)) return;
         for (int i = 0; i < count; ++i)
-            if (DeltaBranch& other = at[static_cast<std::size_t>(i)]; other.wi == branch.wi && other.straight == branch.straight) {
+            if (DeltaBranch& other = at[static_cast<std::size_t>(i)];
+                other.wi == branch.wi && other.straight == branch.straight) {
                 const float both = size(other) + size(branch);
                 other.weight += branch.weight;
                 other.scale = maxComponent(other.weight) / both;
@@ -32,19 +37,27 @@ struct Branches {
         total += size(branch);
     }
     /// Both of two ways can be followed, and there is no other.
-    [[nodiscard]] bool areTwo(const CompiledMaterial& material) const { return count == 2 && material.smoothAlbedo == 0; }
-    /// Chance of a path that chooses among all ways, smooth ones too, to be reflected or, if not `reflects`, to go through bent.
-    [[nodiscard]] double chanceOf(const CompiledMaterial& material, const Vec3& wo, bool reflects) const {
+    [[nodiscard]] bool areTwo(const CompiledMaterial& material) const {
+        return count == 2 && material.smoothAlbedo == 0;
+    }
+    /// Chance of a path that chooses among all ways, smooth ones too, to be reflected or, if not
+    /// `reflects`, to go through bent.
+    [[nodiscard]] double chanceOf(const CompiledMaterial& material, const Vec3& wo,
+                                  bool reflects) const {
         float sum = 0;
         for (int i = 0; i < count; ++i)
-            if (const DeltaBranch& b = at[static_cast<std::size_t>(i)]; !b.straight && sameSide(wo, b.wi) == reflects) sum += size(b);
+            if (const DeltaBranch& b = at[static_cast<std::size_t>(i)];
+                !b.straight && sameSide(wo, b.wi) == reflects)
+                sum += size(b);
         return static_cast<double>(sum / (material.smoothAlbedo + total));
     }
     /// Factor of these ways together.
     [[nodiscard]] Rgb weightOf(const Vec3& wo, bool reflects) const {
         Rgb sum(0.0f);
         for (int i = 0; i < count; ++i)
-            if (const DeltaBranch& b = at[static_cast<std::size_t>(i)]; !b.straight && sameSide(wo, b.wi) == reflects) sum += b.weight;
+            if (const DeltaBranch& b = at[static_cast<std::size_t>(i)];
+                !b.straight && sameSide(wo, b.wi) == reflects)
+                sum += b.weight;
         return sum;
     }
     /// The branch at `u` in [0, total), drawn with probability size / total.
@@ -55,7 +68,8 @@ struct Branches {
     }
 };
 
-[[nodiscard]] inline Branches deltaBranches(const CompiledMaterial& material, const Vec3& wo, float eta, WorkCounts& work) {
+[[nodiscard]] inline Branches deltaBranches(const CompiledMaterial& material, const Vec3& wo,
+                                            float eta, WorkCounts& work) {
     ++work[Work::DeltaLists];
     Branches out;
     for (const WeightedLeaf& weighted : material.leaves)
@@ -74,8 +88,8 @@ struct Branches {
     return out;
 }
 
-/// Calls `use` with the leaf if it has a smooth part that the kernel knows. The most common leaf is asked for first, which
-/// spares it the jump through a table.
+/// Calls `use` with the leaf if it has a smooth part that the kernel knows. The most common leaf is
+/// asked for first, which spares it the jump through a table.
 template <Features F, class Use>
 void withSmoothLeaf(const BsdfLeaf& leaf, WorkCounts& work, Use&& use) {
     if (const auto* lambert = std::get_if<LambertBsdf>(&leaf)) return use(*lambert);
@@ -93,7 +107,8 @@ void withSmoothLeaf(const BsdfLeaf& leaf, WorkCounts& work, Use&& use) {
 
 /// Sum of the smooth leaves' f (without the cosine) and their mixture's density.
 template <Features F>
-[[nodiscard]] BsdfSample evalSmooth(const CompiledMaterial& material, const Vec3& wo, const Vec3& wi, float eta, WorkCounts& work) {
+[[nodiscard]] BsdfSample evalSmooth(const CompiledMaterial& material, const Vec3& wo,
+                                    const Vec3& wi, float eta, WorkCounts& work) {
     BsdfValue sum;
     for (std::size_t i = 0; i < material.leaves.size(); ++i)
         withSmoothLeaf<F>(material.leaves[i].leaf, work, [&](const auto& leaf) {
@@ -106,16 +121,21 @@ template <Features F>
 
 /// Sum of the smooth leaves' f alone.
 template <Features F>
-[[nodiscard]] inline Rgb smoothValue(const CompiledMaterial& material, const Vec3& wo, const Vec3& wi, float eta, WorkCounts& work) {
+[[nodiscard]] inline Rgb smoothValue(const CompiledMaterial& material, const Vec3& wo,
+                                     const Vec3& wi, float eta, WorkCounts& work) {
     Rgb out(0.0f);
     for (const WeightedLeaf& weighted : material.leaves)
-        withSmoothLeaf<F>(weighted.leaf, work, [&](const auto& leaf) { out += weighted.weight * leaf.value(wo, wi, eta).f; });
+        withSmoothLeaf<F>(weighted.leaf, work, [&](const auto& leaf) {
+            out += weighted.weight * leaf.value(wo, wi, eta).f;
+        });
     return out;
 }
 
-/// A direction from the mixture of the smooth leaves. `u`: three numbers for the leaf, one to choose it, all in [0, 1).
+/// A direction from the mixture of the smooth leaves. `u`: three numbers for the leaf, one to
+/// choose it, all in [0, 1).
 template <Features F>
-[[nodiscard]] BsdfSample sampleSmooth(const CompiledMaterial& material, const Vec3& wo, const Vec3& u, float choice, float eta, WorkCounts& work) {
+[[nodiscard]] BsdfSample sampleSmooth(const CompiledMaterial& material, const Vec3& wo,
+                                      const Vec3& u, float choice, float eta, WorkCounts& work) {
     std::size_t chosen = 0;
     for (std::size_t i = 0; i < material.leaves.size(); ++i) {
         if (!(material.pick[i] > 0)) continue;
@@ -124,7 +144,8 @@ template <Features F>
         choice -= material.pick[i];
     }
     BsdfSample sample;
-    withSmoothLeaf<F>(material.leaves[chosen].leaf, work, [&](const auto& leaf) { sample = leaf.sample(wo, u, eta); });
+    withSmoothLeaf<F>(material.leaves[chosen].leaf, work,
+                      [&](const auto& leaf) { sample = leaf.sample(wo, u, eta); });
     if (!(sample.pdf > 0)) return {};
     if (material.leaves.size() == 1) {
         sample.f *= material.leaves[0].weight;
@@ -134,11 +155,13 @@ template <Features F>
 }
 
 /// Share of light that passes straight through at this angle.
-[[nodiscard]] inline Rgb straightWeight(const CompiledMaterial& material, const Vec3& wo, float eta, WorkCounts& work) {
+[[nodiscard]] inline Rgb straightWeight(const CompiledMaterial& material, const Vec3& wo, float eta,
+                                        WorkCounts& work) {
     Rgb sum(0.0f);
     const Branches branches = deltaBranches(material, wo, eta, work);
     for (int i = 0; i < branches.count; ++i)
-        if (const DeltaBranch& b = branches.at[static_cast<std::size_t>(i)]; b.straight) sum += b.weight;
+        if (const DeltaBranch& b = branches.at[static_cast<std::size_t>(i)]; b.straight)
+            sum += b.weight;
     return sum;
 }
 

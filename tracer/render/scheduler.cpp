@@ -25,8 +25,9 @@ void merge(RenderCounts& into, const RenderCounts& from) {
 /// One pass, as all workers see it.
 class Pass {
   public:
-    Pass(const RenderScene& scene, Features wanted, Film& film, LayerFilm* layers, FirstHits* firstHits, const PixelRect& rect, int stride,
-         const SampleGoal& goal, const CancelToken& cancel)
+    Pass(const RenderScene& scene, Features wanted, Film& film, LayerFilm* layers,
+         FirstHits* firstHits, const PixelRect& rect, int stride, const SampleGoal& goal,
+         const CancelToken& cancel)
         : scene_(scene),
           film_(film),
           layers_(layers),
@@ -35,10 +36,12 @@ class Pass {
           stride_(stride),
           goal_(goal),
           cancel_(cancel),
-          kernel_(chooseKernel(scene, wanted | (layers ? static_cast<Features>(Feature::Layers) : 0)).run),
+          kernel_(
+              chooseKernel(scene, wanted | (layers ? static_cast<Features>(Feature::Layers) : 0))
+                  .run),
           culls_(!has(wanted, Feature::NoSkips)),
-          // A piece of a coarse pass covers more pixels, so that it holds as many samples as any other. Pieces are made of whole
-          // tiles of the film, which have one writer at a time.
+          // A piece of a coarse pass covers more pixels, so that it holds as many samples as any
+          // other. Pieces are made of whole tiles of the film, which have one writer at a time.
           size_(Film::kTile * std::min(stride, 16)),
           firstColumn_(rect.x / size_),
           firstRow_(rect.y / size_),
@@ -50,15 +53,21 @@ class Pass {
     void render(int piece, WorkerCounts& own) {
         LayerSample layerSample;
         GroupLight groups{};
-        KernelState state{.scene = scene_, .cancel = cancel_, .layers = &layerSample, .groups = film_.groups() > 1 ? &groups : nullptr};
-        const int left = (firstColumn_ + piece % columns_) * size_, top = (firstRow_ + piece / columns_) * size_;
-        const int x1 = std::min(left + size_, rect_.x + rect_.width), y1 = std::min(top + size_, rect_.y + rect_.height);
+        KernelState state{.scene = scene_,
+                          .cancel = cancel_,
+                          .layers = &layerSample,
+                          .groups = film_.groups() > 1 ? &groups : nullptr};
+        const int left = (firstColumn_ + piece % columns_) * size_,
+                  top = (firstRow_ + piece / columns_) * size_;
+        const int x1 = std::min(left + size_, rect_.x + rect_.width),
+                  y1 = std::min(top + size_, rect_.y + rect_.height);
         const int x0 = onGrid(std::max(left, rect_.x)), y0 = onGrid(std::max(top, rect_.y));
         bool culled = false;
         for (int y = y0; y < y1 && !own.cancelled; y += stride_)
             for (int x = x0; x < x1 && !own.cancelled; x += stride_) {
                 if (film_.samples(x, y) >= goalOf(x, y)) continue;
-                if (!std::exchange(culled, true)) state.seen = culls_ ? shapesSeen(scene_, x0, y0, x1, y1, own.seen) : nullptr;
+                if (!std::exchange(culled, true))
+                    state.seen = culls_ ? shapesSeen(scene_, x0, y0, x1, y1, own.seen) : nullptr;
                 renderPixel(state, x, y, own);
             }
         own.counts.add(state.rays, state.work);
@@ -66,7 +75,9 @@ class Pass {
 
   private:
     [[nodiscard]] int onGrid(int v) const { return (v + stride_ - 1) / stride_ * stride_; }
-    [[nodiscard]] std::uint32_t goalOf(int x, int y) const { return goal_.cells ? goal_.cells->at(x, y) : goal_.samples; }
+    [[nodiscard]] std::uint32_t goalOf(int x, int y) const {
+        return goal_.cells ? goal_.cells->at(x, y) : goal_.samples;
+    }
 
     Rgb trace(KernelState& state, int x, int y, std::uint32_t sample) {
         if (!firstHits_ || sample > 0) return kernel_(state, x, y, sample);
@@ -94,7 +105,8 @@ class Pass {
             }
             if (!isFinite(value)) {
                 ++own.counts.nonfinite;
-                if (!own.counts.firstNonfinite) own.counts.firstNonfinite = SamplePlace{x, y, static_cast<int>(sample)};
+                if (!own.counts.firstNonfinite)
+                    own.counts.firstNonfinite = SamplePlace{x, y, static_cast<int>(sample)};
                 value = Rgb(0.0f);
                 *state.layers = {};
                 if (state.groups) *state.groups = {};
@@ -119,8 +131,9 @@ class Pass {
 
 }  // namespace
 
-PassResult Scheduler::renderPass(const RenderScene& scene, Film& film, LayerFilm* layers, const PixelRect& rect, int stride,
-                                 const SampleGoal& goal, const CancelToken& cancel, RenderCounts& counts) {
+PassResult Scheduler::renderPass(const RenderScene& scene, Film& film, LayerFilm* layers,
+                                 const PixelRect& rect, int stride, const SampleGoal& goal,
+                                 const CancelToken& cancel, RenderCounts& counts) {
     if (firstHits_) firstHits_->takeUp(scene);
     Pass pass(scene, wanted_, film, layers, firstHits_, rect, stride, goal, cancel);
     std::vector<WorkerCounts> workers(static_cast<std::size_t>(pool_.threads()));

@@ -1,4 +1,5 @@
-// Scheduler: renders passes over a film in tiles of 16 x 16, on a worker pool. Knows nothing of stop rules or display.
+// Scheduler: renders passes over a film in tiles of 16 x 16, on a worker pool. Knows nothing of
+// stop rules or display.
 #pragma once
 
 #include <optional>
@@ -25,18 +26,25 @@ struct RenderCounts {
     }
 };
 
-enum class PassResult { Done, Partial, Cancelled };  ///< Partial: `most` left pixels short of the goal
+enum class PassResult {
+    Done,
+    Partial,
+    Cancelled
+};  ///< Partial: `most` left pixels short of the goal
 
 class Scheduler {
   public:
-    /// `wanted`: what kernels must offer beside what the scene holds, see chooseKernel(). `firstHits`: if not null, what first samples hit is
-    /// kept there and taken from there.
-    explicit Scheduler(WorkerPool& pool, Features wanted = 0, FirstHits* firstHits = nullptr) : pool_(pool), wanted_(wanted), firstHits_(firstHits) {}
+    /// `wanted`: what kernels must offer beside what the scene holds, see chooseKernel().
+    /// `firstHits`: if not null, what first samples hit is kept there and taken from there.
+    explicit Scheduler(WorkerPool& pool, Features wanted = 0, FirstHits* firstHits = nullptr)
+        : pool_(pool), wanted_(wanted), firstHits_(firstHits) {}
 
-    /// Brings every pixel of `rect` whose x and y are multiples of `stride` to the goal. When cancelled, finished samples stay,
-    /// and the same call later goes on where it ended. `layers` may be null.
-    PassResult renderPass(const RenderScene& scene, Film& film, LayerFilm* layers, const PixelRect& rect, int stride,
-                          const SampleGoal& goal, const CancelToken& cancel, RenderCounts& counts);
+    /// Brings every pixel of `rect` whose x and y are multiples of `stride` to the goal. When
+    /// cancelled, finished samples stay, and the same call later goes on where it ended. `layers`
+    /// may be null.
+    PassResult renderPass(const RenderScene& scene, Film& film, LayerFilm* layers,
+                          const PixelRect& rect, int stride, const SampleGoal& goal,
+                          const CancelToken& cancel, RenderCounts& counts);
 
   private:
     WorkerPool& pool_;

@@ -16,7 +16,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 struct SceneMessage {
     Scene scene;
@@ -32,7 +34,8 @@ struct Message {
 
 /// The first pass after an edit is sized to take so long ...
 constexpr double kFirstPassSeconds = 0.004;
-/// ... but only so long if no new picture was shown for kMotionSeconds: it is then not cancelled, so that a drag always shows motion.
+/// ... but only so long if no new picture was shown for kMotionSeconds: it is then not cancelled,
+/// so that a drag always shows motion.
 constexpr double kProtectedSeconds = 0.001, kMotionSeconds = 0.03;
 /// A pass at full resolution takes about this long at most, so that the picture is seen to sharpen.
 constexpr double kPassSeconds = 0.1;
@@ -40,7 +43,8 @@ constexpr double kPassSeconds = 0.1;
 }  // namespace
 
 struct Session::Impl {
-    Impl(int threads, std::function<void()> onFrameCallback) : onFrame(std::move(onFrameCallback)), pool(threads), painter(pool), picture(pool) {
+    Impl(int threads, std::function<void()> onFrameCallback)
+        : onFrame(std::move(onFrameCallback)), pool(threads), painter(pool), picture(pool) {
         coordinator = std::jthread([this] { run(); });
     }
     ~Impl() {
@@ -51,8 +55,10 @@ struct Session::Impl {
 
     // ---- Any thread ----
 
-    std::uint64_t send(std::optional<SceneMessage> sceneMessage, std::optional<ViewSettings> newView, bool filesChange = false) {
-        const std::uint64_t number = sceneMessage ? revision.fetch_add(1, std::memory_order_relaxed) + 1 : 0;
+    std::uint64_t send(std::optional<SceneMessage> sceneMessage,
+                       std::optional<ViewSettings> newView, bool filesChange = false) {
+        const std::uint64_t number =
+            sceneMessage ? revision.fetch_add(1, std::memory_order_relaxed) + 1 : 0;
         if (sceneMessage) sceneMessage->revision = number;
         inbox.push({std::move(sceneMessage), std::move(newView), filesChange});
         wakeUp();
@@ -105,17 +111,20 @@ struct Session::Impl {
         if (!view.region) return std::nullopt;
         const PixelRect& r = *view.region;
         const int x0 = std::clamp(r.x, 0, view.width), y0 = std::clamp(r.y, 0, view.height);
-        return PixelRect{x0, y0, std::clamp(r.x + r.width, x0, view.width) - x0, std::clamp(r.y + r.height, y0, view.height) - y0};
+        return PixelRect{x0, y0, std::clamp(r.x + r.width, x0, view.width) - x0,
+                         std::clamp(r.y + r.height, y0, view.height) - y0};
     }
 
-    /// One turn of work, given up when `cancel` says so; false: nothing to do until a message comes.
+    /// One turn of work, given up when `cancel` says so; false: nothing to do until a message
+    /// comes.
     bool step(const CancelToken& cancel) {
         if (document.revision == 0 || view.width <= 0 || view.height <= 0) return false;
         // A paused picture stays as it is, edits and sizes notwithstanding.
         if (stale && !(view.paused && picture.exists())) {
             stale = false;
             undisplayed = true;
-            picture.takeUp({document.scene, document.assetFolder, view.width, view.height, regionInPicture()});
+            picture.takeUp(
+                {document.scene, document.assetFolder, view.width, view.height, regionInPicture()});
         }
         if (!picture.exists()) return false;
         // What needs no new samples is shown before any are made.
@@ -132,7 +141,9 @@ struct Session::Impl {
     void renderPass(const CancelToken& cancel) {
         const bool mustShow = !picture.isShowable() && secondsSince(lastShown) > kMotionSeconds;
         const CancelToken token = mustShow ? CancelToken{} : cancel;
-        if (picture.render({mustShow ? kProtectedSeconds : kFirstPassSeconds, kPassSeconds}, token) == PassResult::Cancelled) return;  // The film may be about to go.
+        if (picture.render({mustShow ? kProtectedSeconds : kFirstPassSeconds, kPassSeconds},
+                           token) == PassResult::Cancelled)
+            return;  // The film may be about to go.
         // What is said to be done comes with its own error, not that of some samples ago.
         if (picture.isConverged() && picture.needsJudging() && !picture.judge(token)) return;
         show(token);
@@ -145,7 +156,10 @@ struct Session::Impl {
     void show(const CancelToken& cancel) {
         SessionFrame& frame = frames.back();
         const Picture& shown = picture.picture();
-        if (!painter.paint(shown.scene, shown.film, picture.backdrop(), std::max(shown.shownStride, 1), shown.errors.tiles, view.paint, cancel, frame)) return;
+        if (!painter.paint(shown.scene, shown.film, picture.backdrop(),
+                           std::max(shown.shownStride, 1), shown.errors.tiles, view.paint, cancel,
+                           frame))
+            return;
         undisplayed = frame.isRough;
         lastShown = Clock::now();
         noteLatency();
@@ -160,7 +174,9 @@ struct Session::Impl {
         frame.width = shown.film.width();
         frame.height = shown.film.height();
         frame.region = regionInPicture();
-        frame.state = picture.isConverged() ? SessionState::Converged : view.paused ? SessionState::Paused : SessionState::Rendering;
+        frame.state = picture.isConverged() ? SessionState::Converged
+                      : view.paused         ? SessionState::Paused
+                                            : SessionState::Rendering;
         frame.spp = shown.spp;
         frame.sppTarget = document.scene.render.spp;
         frame.samples = picture.meanSamples();
@@ -191,9 +207,10 @@ struct Session::Impl {
     FramePainter painter;
     Inbox<Message> inbox;
     TripleBuffer<SessionFrame> frames;
-    std::atomic<std::uint64_t> epoch{1};  ///< moves with every message; partners: run() and the workers' CancelToken
+    std::atomic<std::uint64_t> epoch{
+        1};  ///< moves with every message; partners: run() and the workers' CancelToken
     std::atomic<std::uint64_t> revision{0};
-    std::atomic<bool> quit{false};        ///< set before the last move of the epoch, read after it
+    std::atomic<bool> quit{false};  ///< set before the last move of the epoch, read after it
 
     // The coordinator's own.
     SceneMessage document;
@@ -206,17 +223,21 @@ struct Session::Impl {
     std::jthread coordinator;  ///< last: it uses all of the above
 };
 
-Session::Session(int threads, std::function<void()> onFrame) : impl_(std::make_unique<Impl>(threads, std::move(onFrame))) {}
+Session::Session(int threads, std::function<void()> onFrame)
+    : impl_(std::make_unique<Impl>(threads, std::move(onFrame))) {}
 Session::~Session() = default;
 
 std::uint64_t Session::publish(Scene scene, std::filesystem::path assetFolder) {
-    return impl_->send(SceneMessage{std::move(scene), std::move(assetFolder), 0, Clock::now()}, std::nullopt);
+    return impl_->send(SceneMessage{std::move(scene), std::move(assetFolder), 0, Clock::now()},
+                       std::nullopt);
 }
 
 void Session::publish(const ViewSettings& view) { impl_->send(std::nullopt, view); }
 
-std::uint64_t Session::publish(Scene scene, std::filesystem::path assetFolder, const ViewSettings& view) {
-    return impl_->send(SceneMessage{std::move(scene), std::move(assetFolder), 0, Clock::now()}, view);
+std::uint64_t Session::publish(Scene scene, std::filesystem::path assetFolder,
+                               const ViewSettings& view) {
+    return impl_->send(SceneMessage{std::move(scene), std::move(assetFolder), 0, Clock::now()},
+                       view);
 }
 
 void Session::readFilesAgain() { impl_->send(std::nullopt, std::nullopt, true); }

@@ -1,4 +1,5 @@
-// Shadow rays: how much light arrives from a point or a direction, through whatever lets it pass unbent.
+// Shadow rays: how much light arrives from a point or a direction, through whatever lets it pass
+// unbent.
 #pragma once
 
 #include "tracer/render/kernel.h"
@@ -8,7 +9,10 @@ namespace glint {
 
 /// The media of a ray that leaves `point` in the local direction `wi`.
 template <Features F>
-[[nodiscard, gnu::always_inline]] inline MediaStack mediaBeyond(KernelState& state, const SurfacePoint& point, const MediaStack& media, const Vec3& wi) {
+[[nodiscard, gnu::always_inline]] inline MediaStack mediaBeyond(KernelState& state,
+                                                                const SurfacePoint& point,
+                                                                const MediaStack& media,
+                                                                const Vec3& wi) {
     MediaStack out = media;
     if constexpr (has(F, Feature::Media))
         if (point.instance(state.scene).dielectric && (wi.z > 0) != point.outside) {
@@ -18,8 +22,8 @@ template <Features F>
     return out;
 }
 
-/// Surfaces so near before a lamp, over the coordinates, count as coincident with it: kPlaceRounding for lamps seen at a
-/// thousandth of a right angle and more.
+/// Surfaces so near before a lamp, over the coordinates, count as coincident with it:
+/// kPlaceRounding for lamps seen at a thousandth of a right angle and more.
 inline constexpr double kLampRange = 0x1p-38;
 
 /// What a shadow ray comes from.
@@ -29,10 +33,13 @@ struct ShadowTarget {
     std::uint32_t shape;  ///< the light's own, which does not shadow itself; kNoShape: it has none
 };
 
-/// shadowTransmittance() up to tMax where some surfaces let light pass; `few`: the shapes that may be met.
+/// shadowTransmittance() up to tMax where some surfaces let light pass; `few`: the shapes that may
+/// be met.
 template <Features F>
-[[nodiscard, gnu::noinline]] Rgb transmittanceThrough(KernelState& state, const Ray& start, const MediaStack& around, std::uint32_t light, double tMax,
-                                                      const FewShapes* few, int passes, bool tinted) {
+[[nodiscard, gnu::noinline]] Rgb transmittanceThrough(KernelState& state, const Ray& start,
+                                                      const MediaStack& around, std::uint32_t light,
+                                                      double tMax, const FewShapes* few, int passes,
+                                                      bool tinted) {
     const RenderScene& scene = state.scene;
     Ray ray = start;
     MediaStack media = around;
@@ -42,7 +49,8 @@ template <Features F>
         const ShapeHit hit = scene.lists->closest(ray, media, tMax, state.work, few);
         const bool toLight = hit.found() && hit.shape == light, arrived = !hit.found() || toLight;
         if constexpr (has(F, Feature::Media))
-            share *= transmittance<F>(mediumOf(scene, fillingShape(scene, media)), arrived ? tMax : hit.t, state.work);
+            share *= transmittance<F>(mediumOf(scene, fillingShape(scene, media)),
+                                      arrived ? tMax : hit.t, state.work);
         if (!hit.found() || isBlack(share)) return share;
         const ShapeInstance& instance = scene.shapes[hit.shape];
         if (toLight && !instance.dielectric) return share;
@@ -51,7 +59,8 @@ template <Features F>
         if (toLight) return point.hidden ? Rgb(0.0f) : share;
         const bool tints = tinted && instance.dielectric;
         const CompiledMaterial& material = scene.materials[instance.material];
-        // Of an opaque surface nothing counts but that it is one: edits that change this start anew.
+        // Of an opaque surface nothing counts but that it is one: edits that change this start
+        // anew.
         if (tints || !isBlack(material.straight)) state.materials |= material.bit;
         if (!tints && !point.hidden) {
             if (passes-- <= 0) return Rgb(0.0f);
@@ -66,20 +75,29 @@ template <Features F>
     }
 }
 
-/// Share of light that comes along `start` from the target; `around`: the media that it is in. At most `passes` surfaces may be gone through. With `tinted`,
-/// dielectrics let light pass unbent and only absorb (classic's transparent shadows).
+/// Share of light that comes along `start` from the target; `around`: the media that it is in. At
+/// most `passes` surfaces may be gone through. With `tinted`, dielectrics let light pass unbent and
+/// only absorb (classic's transparent shadows).
 template <Features F>
-[[nodiscard, gnu::always_inline]] inline Rgb shadowTransmittance(KernelState& state, const Ray& start, const MediaStack& around, const ShadowTarget& target, int passes, bool tinted) {
+[[nodiscard, gnu::always_inline]] inline Rgb shadowTransmittance(KernelState& state,
+                                                                 const Ray& start,
+                                                                 const MediaStack& around,
+                                                                 const ShadowTarget& target,
+                                                                 int passes, bool tinted) {
     const RenderScene& scene = state.scene;
     double tMax = target.distance;
-    const FewShapes* few = has(F, Feature::NoSkips) ? nullptr : scene.lightBuffers.between(target.light, start.origin);
+    const FewShapes* few =
+        has(F, Feature::NoSkips) ? nullptr : scene.lightBuffers.between(target.light, start.origin);
     // What a lamp lies flush with does not shadow it.
     if (target.shape != kNoShape) tMax -= kLampRange * (tMax + coordinateSum(start.origin));
     ++state.rays.shadow;
     const bool opaque = !has(F, Feature::NoSkips) && !has(scene.features, Feature::Straight);
-    if ((has(F, Feature::Straight) && !opaque) || tinted) return transmittanceThrough<F>(state, start, around, target.shape, tMax, few, passes, tinted);
+    if ((has(F, Feature::Straight) && !opaque) || tinted)
+        return transmittanceThrough<F>(state, start, around, target.shape, tMax, few, passes,
+                                       tinted);
     if (scene.lists->occluded(start, around, tMax, target.shape, state.work, few)) return Rgb(0.0f);
-    if constexpr (has(F, Feature::Media)) return transmittance<F>(mediumOf(scene, fillingShape(scene, around)), tMax, state.work);
+    if constexpr (has(F, Feature::Media))
+        return transmittance<F>(mediumOf(scene, fillingShape(scene, around)), tMax, state.work);
     return Rgb(1.0f);
 }
 

@@ -22,7 +22,8 @@ bool absorbsNothing(const RenderScene& scene) {
 }
 
 constexpr Skip kSkips[] = {
-    {"no shapes: no lists", Work::ShapeTests, [](const RenderScene& s) { return s.shapes.empty(); }},
+    {"no shapes: no lists", Work::ShapeTests,
+     [](const RenderScene& s) { return s.shapes.empty(); }},
     {"no shapes: no balls", Work::BallTests, [](const RenderScene& s) { return s.shapes.empty(); }},
     {"few shapes: no hierarchy", Work::NodeVisits,
      [](const RenderScene& s) { return !s.lists->hasHierarchy(); }},

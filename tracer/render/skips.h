@@ -1,7 +1,7 @@
 // The skips: work that a scene is spared because it lacks something. Each names the count that is
-// exactly 0 where it holds. Kernels with Feature::NoSkips do the work all the same and give the same
-// picture. What an edit does not rebuild is counted by CompileStats instead, and camera rays that it
-// need not trace again (first_hits.h) by Work::KnownHits.
+// exactly 0 where it holds. Kernels with Feature::NoSkips do the work all the same and give the
+// same picture. What an edit does not rebuild is counted by CompileStats instead, and camera rays
+// that it need not trace again (first_hits.h) by Work::KnownHits.
 #pragma once
 
 #include <span>

@@ -13,7 +13,8 @@ void ErrorTrend::add(double seconds, double error) {
     error_ = error;
     const Point point{std::log(seconds), std::log(error)};
     const double least = std::log(1.25);
-    if (points_.size() > 1 && point.logSeconds - points_[points_.size() - 2].logSeconds < least) points_.pop_back();
+    if (points_.size() > 1 && point.logSeconds - points_[points_.size() - 2].logSeconds < least)
+        points_.pop_back();
     points_.push_back(point);
     if (points_.size() > kPoints) points_.pop_front();
 }
@@ -39,16 +40,23 @@ double ErrorTrend::secondsUntil(double error) const {
 }
 
 bool isDone(const RenderSettings& rules, const RenderProgressState& state) {
-    return state.samples >= rules.spp || (rules.timeSeconds > 0 && state.leastSamples > 0 && state.seconds >= rules.timeSeconds) ||
-           (rules.errorPercent > 0 && state.leastSamples >= adaptiveRule(rules.integrator).believed && 100 * state.error <= rules.errorPercent);
+    return state.samples >= rules.spp ||
+           (rules.timeSeconds > 0 && state.leastSamples > 0 &&
+            state.seconds >= rules.timeSeconds) ||
+           (rules.errorPercent > 0 &&
+            state.leastSamples >= adaptiveRule(rules.integrator).believed &&
+            100 * state.error <= rules.errorPercent);
 }
 
-double remainingSeconds(const RenderSettings& rules, const RenderProgressState& state, const ErrorTrend& trend) {
+double remainingSeconds(const RenderSettings& rules, const RenderProgressState& state,
+                        const ErrorTrend& trend) {
     if (isDone(rules, state)) return 0;
-    if (!(state.samples > 0) || !(state.seconds > 0)) return rules.timeSeconds > 0 ? rules.timeSeconds : kInfinity;
+    if (!(state.samples > 0) || !(state.seconds > 0))
+        return rules.timeSeconds > 0 ? rules.timeSeconds : kInfinity;
     double left = state.seconds * (rules.spp / state.samples - 1);
     if (rules.timeSeconds > 0) left = std::min(left, rules.timeSeconds - state.seconds);
-    if (rules.errorPercent > 0) left = std::min(left, trend.secondsUntil(0.01 * rules.errorPercent));
+    if (rules.errorPercent > 0)
+        left = std::min(left, trend.secondsUntil(0.01 * rules.errorPercent));
     return std::max(left, 0.0);
 }
 

@@ -8,7 +8,8 @@ namespace glint {
 
 inline constexpr Medium kVacuum{};
 
-/// The shape whose medium fills the place: the highest priority, of equals the one entered last; kNoShape outside all.
+/// The shape whose medium fills the place: the highest priority, of equals the one entered last;
+/// kNoShape outside all.
 [[nodiscard]] inline std::uint32_t fillingShape(const RenderScene& scene, const MediaStack& media) {
     std::uint32_t best = kNoShape;
     int priority = 0;
@@ -26,7 +27,8 @@ inline constexpr Medium kVacuum{};
 struct BoundarySides {
     std::uint32_t here, there;
 };
-[[nodiscard]] inline BoundarySides sidesOf(const RenderScene& scene, const MediaStack& media, std::uint32_t shape) {
+[[nodiscard]] inline BoundarySides sidesOf(const RenderScene& scene, const MediaStack& media,
+                                           std::uint32_t shape) {
     if (media.empty()) return {kNoShape, shape};
     if (media.size() == 1 && media[0] == shape) return {shape, kNoShape};
     MediaStack beyond = media;
@@ -34,13 +36,17 @@ struct BoundarySides {
     return {fillingShape(scene, media), fillingShape(scene, beyond)};
 }
 
-/// Share of light left after `distance` metres: exp(-absorption * distance), also where that is infinite.
+/// Share of light left after `distance` metres: exp(-absorption * distance), also where that is
+/// infinite.
 template <Features F>
 [[nodiscard]] Rgb transmittance(const Medium& medium, double distance, WorkCounts& work) {
     if (!has(F, Feature::NoSkips) && isBlack(medium.absorption)) return Rgb(1.0f);
     ++work[Work::Exponentials];
-    const auto channel = [distance](double a) { return a > 0 ? static_cast<float>(std::exp(-a * distance)) : 1.0f; };
-    return {channel(medium.absorption.r), channel(medium.absorption.g), channel(medium.absorption.b)};
+    const auto channel = [distance](double a) {
+        return a > 0 ? static_cast<float>(std::exp(-a * distance)) : 1.0f;
+    };
+    return {channel(medium.absorption.r), channel(medium.absorption.g),
+            channel(medium.absorption.b)};
 }
 
 /// The dielectrics around a camera ray's origin.
@@ -58,22 +64,32 @@ struct SurfacePoint {
     std::uint32_t shape = kNoShape;
     int face = 0;         ///< of the shape
     bool outside = true;  ///< the ray came from the outward side
-    float eta = 1;        ///< index on wo's side over the other side; over 1 where there is no medium behind
+    float eta =
+        1;  ///< index on wo's side over the other side; over 1 where there is no medium behind
     std::uint64_t rank = 0;  ///< tieRank(); 0 for dielectrics
-    bool hidden = false;  ///< the boundary of a dielectric inside one of higher priority: there is nothing to see
+    bool hidden = false;  ///< the boundary of a dielectric inside one of higher priority: there is
+                          ///< nothing to see
 
-    [[nodiscard]] const ShapeInstance& instance(const RenderScene& scene) const { return scene.shapes[shape]; }
+    [[nodiscard]] const ShapeInstance& instance(const RenderScene& scene) const {
+        return scene.shapes[shape];
+    }
     /// The normal on wo's side.
     [[nodiscard]] DVec3 facingNormal() const { return outside ? frame.n : -frame.n; }
     /// A ray that starts here in the local direction `wi`.
-    [[nodiscard]] Ray ray(const Vec3& wi) const { return ray(renormalize(frame.toWorld(wi)), wi.z < 0); }
+    [[nodiscard]] Ray ray(const Vec3& wi) const {
+        return ray(renormalize(frame.toWorld(wi)), wi.z < 0);
+    }
     /// A ray that starts here in a direction of render space, inwards or outwards.
-    [[nodiscard]] Ray ray(const DVec3& direction, bool inwards) const { return {position, direction, shape, inwards, inwards != outside, inwards == outside ? rank : 0}; }
+    [[nodiscard]] Ray ray(const DVec3& direction, bool inwards) const {
+        return {position, direction,          shape,
+                inwards,  inwards != outside, inwards == outside ? rank : 0};
+    }
 };
 
-/// The point hit by `ray`, which is in `media`. The hit is put back onto the surface in local space, so its error is a few
-/// roundings of the shape's own size however far the ray came.
-[[nodiscard]] inline SurfacePoint surfacePoint(const RenderScene& scene, const Ray& ray, const ShapeHit& hit, const MediaStack& media) {
+/// The point hit by `ray`, which is in `media`. The hit is put back onto the surface in local
+/// space, so its error is a few roundings of the shape's own size however far the ray came.
+[[nodiscard]] inline SurfacePoint surfacePoint(const RenderScene& scene, const Ray& ray,
+                                               const ShapeHit& hit, const MediaStack& media) {
     const ShapeInstance& instance = scene.shapes[hit.shape];
     SurfacePoint out;
     out.shape = hit.shape;
@@ -88,12 +104,13 @@ struct SurfacePoint {
         },
         instance.shape);
     out.position = instance.center + instance.worldFromLocal * local;
-    out.frame = Frame(renormalize(instance.normalScale * (localNormal * instance.localFromWorld)));  // (M^-1)^T n
+    out.frame = Frame(
+        renormalize(instance.normalScale * (localNormal * instance.localFromWorld)));  // (M^-1)^T n
     DVec3 wo = out.frame.toLocal(-ray.direction);
     out.outside = wo.z > 0;
     if (instance.dielectric) {
-        // The tracked side is the truth; at grazing angles rounding may have put the direction on the other, or in between:
-        // its sign tells every BSDF the side, so it must have one.
+        // The tracked side is the truth; at grazing angles rounding may have put the direction on
+        // the other, or in between: its sign tells every BSDF the side, so it must have one.
         out.outside = !media.contains(hit.shape);
         constexpr double kLeast = 0x1p-53;  // one rounding of a unit vector
         wo.z = std::copysign(std::max(std::abs(wo.z), kLeast), out.outside ? 1.0 : -1.0);

@@ -22,7 +22,8 @@ ErrorSum sumOver(const Film& film, const PixelRect& rect) {
 }
 
 /// The mean square over a tile's pixels and those of its neighbours.
-double squareAround(const std::vector<ErrorSum>& tiles, int columns, int rows, int column, int row) {
+double squareAround(const std::vector<ErrorSum>& tiles, int columns, int rows, int column,
+                    int row) {
     double sum = 0;
     int count = 0;
     for (int r = std::max(0, row - 1); r <= std::min(rows - 1, row + 1); ++r)
@@ -40,7 +41,9 @@ double boundOf(const std::vector<ErrorSum>& tiles, int columns, int rows, int co
     constexpr double kShareOfNeighbours = 0.125;
     const ErrorSum& tile = tiles[static_cast<std::size_t>(row * columns + column)];
     if (tile.pixels == 0) return -1;
-    const double square = std::max(tile.squares / static_cast<double>(tile.pixels), kShareOfNeighbours * squareAround(tiles, columns, rows, column, row));
+    const double square =
+        std::max(tile.squares / static_cast<double>(tile.pixels),
+                 kShareOfNeighbours * squareAround(tiles, columns, rows, column, row));
     return errorBoundFactor(tile.effectivePixels()) * std::sqrt(square);
 }
 
@@ -80,16 +83,20 @@ double tileError(const Film& film, const PixelRect& tile) {
 }
 
 double errorBoundFactor(double pixels) {
-    // z = ln(F) / 2 is symmetric and nearly normal with the variance sigma^2 / 2 (Fisher 1924), and ln(sqrt F) = z.
+    // z = ln(F) / 2 is symmetric and nearly normal with the variance sigma^2 / 2 (Fisher 1924), and
+    // ln(sqrt F) = z.
     constexpr double x = 1.6448536269514722;  // 95 % point of the normal distribution
     const double sigma2 = 2.0 / std::max(pixels, 2.0);
     return std::exp(std::sqrt(sigma2 / 2) * (x + sigma2 * (x * x * x + 3 * x) / 24));
 }
 
-bool findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, const CancelToken& cancel, FilmErrors& out) {
-    const int width = film.width(), height = film.height(), rows = (height + kErrorTile - 1) / kErrorTile;
+bool findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool,
+                const CancelToken& cancel, FilmErrors& out) {
+    const int width = film.width(), height = film.height(),
+              rows = (height + kErrorTile - 1) / kErrorTile;
     out.tiles.columns = (width + kErrorTile - 1) / kErrorTile;
-    out.tiles.bounds.assign(static_cast<std::size_t>(out.tiles.columns) * static_cast<std::size_t>(rows), -1.0f);
+    out.tiles.bounds.assign(
+        static_cast<std::size_t>(out.tiles.columns) * static_cast<std::size_t>(rows), -1.0f);
     struct Row {
         ErrorSum inRect;
         double light = 0, samples = 0;
@@ -105,12 +112,15 @@ bool findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, const
         for (int column = 0; column < out.tiles.columns; ++column) {
             ErrorSum& tile = tiles[static_cast<std::size_t>(row * out.tiles.columns + column)];
             for (int y = row * kErrorTile; y < std::min(height, (row + 1) * kErrorTile); ++y)
-                for (int x = column * kErrorTile; x < std::min(width, (column + 1) * kErrorTile); ++x) {
+                for (int x = column * kErrorTile; x < std::min(width, (column + 1) * kErrorTile);
+                     ++x) {
                     const FilmPixel pixel = film.at(x, y);
                     ErrorSum one;
                     one.add(pixel);
                     tile.add(one);
-                    if (x < rect.x || x >= rect.x + rect.width || y < rect.y || y >= rect.y + rect.height) continue;
+                    if (x < rect.x || x >= rect.x + rect.width || y < rect.y ||
+                        y >= rect.y + rect.height)
+                        continue;
                     own.inRect.add(one);
                     own.samples += pixel.samples;
                     own.least = std::min(own.least, pixel.samples);
@@ -137,11 +147,16 @@ bool findErrors(const Film& film, const PixelRect& rect, WorkerPool& pool, const
         for (int column = 0; column < out.tiles.columns; ++column) {
             const double bound = boundOf(tiles, out.tiles.columns, rows, column, row);
             out.tiles.bounds[static_cast<std::size_t>(row * out.tiles.columns + column)] =
-                static_cast<float>(bound < 0 ? -1 : mean > 0 ? bound / mean : bound > 0 ? 1 : 0);
+                static_cast<float>(bound < 0   ? -1
+                                   : mean > 0  ? bound / mean
+                                   : bound > 0 ? 1
+                                               : 0);
         }
     return true;
 }
 
-double pictureError(const Film& film, const PixelRect& rect) { return sumOver(film, rect).relativeError(); }
+double pictureError(const Film& film, const PixelRect& rect) {
+    return sumOver(film, rect).relativeError();
+}
 
 }  // namespace glint

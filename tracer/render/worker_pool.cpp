@@ -28,7 +28,8 @@ void giveWay() {
 WorkerPool::WorkerPool(int threads) {
     const int extra = std::max(threads, 1) - 1;
     threads_.reserve(static_cast<std::size_t>(extra));
-    for (int worker = 1; worker <= extra; ++worker) threads_.emplace_back([this, worker] { loop(worker); });
+    for (int worker = 1; worker <= extra; ++worker)
+        threads_.emplace_back([this, worker] { loop(worker); });
 }
 
 WorkerPool::~WorkerPool() {
@@ -45,12 +46,14 @@ void WorkerPool::run(int pieces, const PieceFunction& work) {
     generation_.fetch_add(1, std::memory_order_release);
     generation_.notify_all();
     takePieces(0);
-    for (int busy = busy_.load(std::memory_order_acquire); busy > 0; busy = busy_.load(std::memory_order_acquire))
+    for (int busy = busy_.load(std::memory_order_acquire); busy > 0;
+         busy = busy_.load(std::memory_order_acquire))
         busy_.wait(busy, std::memory_order_acquire);
 }
 
 void WorkerPool::loop(int worker) {
-    pthread_setname_np(pthread_self(), ("glint-worker-" + std::to_string(worker)).substr(0, 15).c_str());
+    pthread_setname_np(pthread_self(),
+                       ("glint-worker-" + std::to_string(worker)).substr(0, 15).c_str());
     giveWay();
     flushDenormals();
     for (std::uint32_t seen = 0;;) {
@@ -63,7 +66,8 @@ void WorkerPool::loop(int worker) {
 }
 
 void WorkerPool::takePieces(int worker) {
-    for (int piece = next_.fetch_add(1, std::memory_order_relaxed); piece < pieces_; piece = next_.fetch_add(1, std::memory_order_relaxed))
+    for (int piece = next_.fetch_add(1, std::memory_order_relaxed); piece < pieces_;
+         piece = next_.fetch_add(1, std::memory_order_relaxed))
         (*work_)(worker, piece);
 }
 

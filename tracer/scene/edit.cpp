@@ -45,19 +45,37 @@ Transform keptPlace(const Scene& scene, const Transform& old, const Affine& worl
 
 }  // namespace
 
-std::string freeObjectName(const Scene& scene, std::string_view wanted) { return freeName(scene.objects, wanted); }
-std::string freeGroupName(const Scene& scene, std::string_view wanted) { return freeName(scene.groups, wanted); }
-std::string freeMaterialName(const Scene& scene, std::string_view wanted) { return freeName(scene.materials, wanted); }
-std::string freeLightName(const Scene& scene, std::string_view wanted) { return freeName(scene.lights, wanted); }
-std::string freeCameraName(const Scene& scene, std::string_view wanted) { return freeName(scene.cameras, wanted); }
+std::string freeObjectName(const Scene& scene, std::string_view wanted) {
+    return freeName(scene.objects, wanted);
+}
+std::string freeGroupName(const Scene& scene, std::string_view wanted) {
+    return freeName(scene.groups, wanted);
+}
+std::string freeMaterialName(const Scene& scene, std::string_view wanted) {
+    return freeName(scene.materials, wanted);
+}
+std::string freeLightName(const Scene& scene, std::string_view wanted) {
+    return freeName(scene.lights, wanted);
+}
+std::string freeCameraName(const Scene& scene, std::string_view wanted) {
+    return freeName(scene.cameras, wanted);
+}
 
-Added<ObjectId> withObject(Scene scene, Object object) { return added(std::move(scene), &Scene::objects, std::move(object)); }
-Added<GroupId> withGroup(Scene scene, Group group) { return added(std::move(scene), &Scene::groups, std::move(group)); }
+Added<ObjectId> withObject(Scene scene, Object object) {
+    return added(std::move(scene), &Scene::objects, std::move(object));
+}
+Added<GroupId> withGroup(Scene scene, Group group) {
+    return added(std::move(scene), &Scene::groups, std::move(group));
+}
 Added<MaterialId> withMaterial(Scene scene, Material material) {
     return added(std::move(scene), &Scene::materials, std::move(material));
 }
-Added<LightId> withLight(Scene scene, Light light) { return added(std::move(scene), &Scene::lights, std::move(light)); }
-Added<CameraId> withCamera(Scene scene, Camera camera) { return added(std::move(scene), &Scene::cameras, std::move(camera)); }
+Added<LightId> withLight(Scene scene, Light light) {
+    return added(std::move(scene), &Scene::lights, std::move(light));
+}
+Added<CameraId> withCamera(Scene scene, Camera camera) {
+    return added(std::move(scene), &Scene::cameras, std::move(camera));
+}
 
 Scene withoutObjects(Scene scene, const std::vector<ObjectId>& objects) {
     for (const ObjectId id : objects)
@@ -68,9 +86,13 @@ Scene withoutObjects(Scene scene, const std::vector<ObjectId>& objects) {
 Scene withoutGroup(Scene scene, GroupId group) {
     const GroupId parent = scene.groups.at(group).parent;
     std::vector<ObjectId> objects;
-    scene.objects.forEach([&](ObjectId id, const Object& o) { if (o.parent == group) objects.push_back(id); });
+    scene.objects.forEach([&](ObjectId id, const Object& o) {
+        if (o.parent == group) objects.push_back(id);
+    });
     std::vector<GroupId> groups;
-    scene.groups.forEach([&](GroupId id, const Group& g) { if (g.parent == group) groups.push_back(id); });
+    scene.groups.forEach([&](GroupId id, const Group& g) {
+        if (g.parent == group) groups.push_back(id);
+    });
     scene = reparented(std::move(scene), objects, parent);
     for (const GroupId child : groups) scene = reparentedGroup(std::move(scene), child, parent);
     scene.groups.erase(group);
@@ -94,7 +116,8 @@ Scene withoutMaterial(Scene scene, MaterialId material, MaterialId replacement) 
         auto* mix = std::get_if<Mix>(&user.value);
         if (!mix || (mix->a.material != material && mix->b.material != material)) continue;
         for (MixPart* part : {&mix->a, &mix->b})
-            if (part->material == material) *part = replacement ? MixPart{replacement, false} : MixPart{{}, true};
+            if (part->material == material)
+                *part = replacement ? MixPart{replacement, false} : MixPart{{}, true};
         scene.materials.set(id, std::move(user));
     }
     scene.materials.erase(material);
@@ -114,7 +137,8 @@ Duplicated withDuplicates(Scene scene, const std::vector<ObjectId>& objects) {
 Scene reparented(Scene scene, const std::vector<ObjectId>& objects, GroupId parent) {
     for (const ObjectId id : objects) {
         Object object = scene.objects.at(id);
-        object.transform = keptPlace(scene, object.transform, worldFromObject(scene, object), parent);
+        object.transform =
+            keptPlace(scene, object.transform, worldFromObject(scene, object), parent);
         object.parent = parent;
         scene.objects.set(id, std::move(object));
     }

@@ -1,4 +1,5 @@
-// Edits: pure functions Scene -> Scene. The editor's commands, paste and tests share them; undo keeps the old value.
+// Edits: pure functions Scene -> Scene. The editor's commands, paste and tests share them; undo
+// keeps the old value.
 #pragma once
 
 #include <string>
@@ -44,8 +45,8 @@ struct Duplicated {
 };
 [[nodiscard]] Duplicated withDuplicates(Scene scene, const std::vector<ObjectId>& objects);
 
-/// Moves objects or a group into `parent` (none: the top), keeping their place in the world. A group cannot go into itself:
-/// then the scene comes back unchanged.
+/// Moves objects or a group into `parent` (none: the top), keeping their place in the world. A
+/// group cannot go into itself: then the scene comes back unchanged.
 [[nodiscard]] Scene reparented(Scene scene, const std::vector<ObjectId>& objects, GroupId parent);
 [[nodiscard]] Scene reparentedGroup(Scene scene, GroupId group, GroupId parent);
 

@@ -1,4 +1,5 @@
-// Identities within a scene document. An id is never used again; 0 means "none". Files refer by name instead.
+// Identities within a scene document. An id is never used again; 0 means "none". Files refer by
+// name instead.
 #pragma once
 
 #include <compare>

@@ -1,6 +1,6 @@
-// LightGroups: which sources of light share a sum, so that a live picture can be mixed anew from the sums when only
-// colours and intensities change. At most kMaxLightGroups: those that the document names, and each other source on its own
-// where that many fit, else all others together.
+// LightGroups: which sources of light share a sum, so that a live picture can be mixed anew from
+// the sums when only colours and intensities change. At most kMaxLightGroups: those that the
+// document names, and each other source on its own where that many fit, else all others together.
 #pragma once
 
 #include <array>
@@ -45,10 +45,11 @@ struct LightMix {
     bool operator==(const LightMix&) const = default;
 };
 
-/// What turns the light of `before` into that of `after`, two documents that differ at most in colours, intensities and
-/// visibility of lights, in emissions, and in the environment's colour and intensity: one factor a group of `groups`, which
-/// are those of `before`. Nothing where no such factors exist: a channel that was black is not, or sources of one group change
-/// differently.
-[[nodiscard]] std::optional<LightMix> lightMixBetween(const Scene& before, const Scene& after, const LightGroups& groups);
+/// What turns the light of `before` into that of `after`, two documents that differ at most in
+/// colours, intensities and visibility of lights, in emissions, and in the environment's colour and
+/// intensity: one factor a group of `groups`, which are those of `before`. Nothing where no such
+/// factors exist: a channel that was black is not, or sources of one group change differently.
+[[nodiscard]] std::optional<LightMix> lightMixBetween(const Scene& before, const Scene& after,
+                                                      const LightGroups& groups);
 
 }  // namespace glint

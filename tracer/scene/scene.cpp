@@ -5,8 +5,10 @@ namespace glint {
 const Color& lightColor(const Light& light) {
     return std::visit(
         [](const auto& value) -> const Color& {
-            if constexpr (requires { value.irradiance; }) return value.irradiance;
-            else return value.intensity;
+            if constexpr (requires { value.irradiance; })
+                return value.irradiance;
+            else
+                return value.intensity;
         },
         light.value);
 }
@@ -47,7 +49,8 @@ Transform toTransform(const Affine& affine) {
     if (error <= 1e-12 * size) return out;
     Transform sheared;
     const DVec3& t = affine.translation;
-    sheared.matrix = {m[0].x, m[1].x, m[2].x, t.x, m[0].y, m[1].y, m[2].y, t.y, m[0].z, m[1].z, m[2].z, t.z};
+    sheared.matrix = {m[0].x, m[1].x, m[2].x, t.x,    m[0].y, m[1].y,
+                      m[2].y, t.y,    m[0].z, m[1].z, m[2].z, t.z};
     return sheared;
 }
 

@@ -1,5 +1,6 @@
-// The scene document: a plain value. Copies are cheap and share what they do not change; undo is the old value.
-// Everything is in doubles, metres and degrees as in the file; compile/ narrows and converts. Format: see resources/.
+// The scene document: a plain value. Copies are cheap and share what they do not change; undo is
+// the old value. Everything is in doubles, metres and degrees as in the file; compile/ narrows and
+// converts. Format: see resources/.
 #pragma once
 
 #include <array>
@@ -28,11 +29,16 @@ struct Transform {
 
     bool operator==(const Transform&) const = default;
     static constexpr auto fields() {
-        return std::tuple{
-            Field{"translate", &Transform::translate, {.unit = "m", .doc = "Place"}},
-            Field{"rotate_degrees", &Transform::rotateDegrees, {.unit = "deg", .doc = "Turn about x, then y, then z"}},
-            Field{"scale", &Transform::scale, {.doc = "Factor along each axis, before the turn; not 0"}},
-            Field{"matrix", &Transform::matrix, {.doc = "Row-major 3 x 4 matrix instead of the three above"}}};
+        return std::tuple{Field{"translate", &Transform::translate, {.unit = "m", .doc = "Place"}},
+                          Field{"rotate_degrees",
+                                &Transform::rotateDegrees,
+                                {.unit = "deg", .doc = "Turn about x, then y, then z"}},
+                          Field{"scale",
+                                &Transform::scale,
+                                {.doc = "Factor along each axis, before the turn; not 0"}},
+                          Field{"matrix",
+                                &Transform::matrix,
+                                {.doc = "Row-major 3 x 4 matrix instead of the three above"}}};
     }
 };
 
@@ -54,9 +60,12 @@ struct Object {
             Field{"name", &Object::name, {.required = true, .doc = "Unique name"}},
             Field{"shape", &Object::shape, {.required = true, .doc = "Form"}},
             Field{"material", &Object::material, {.doc = "What it is made of; black if none"}},
-            Field{"emission", &Object::emission, {.min = 0, .unit = "W/(sr m2)", .doc = "Radiance of the outward side"}},
+            Field{"emission",
+                  &Object::emission,
+                  {.min = 0, .unit = "W/(sr m2)", .doc = "Radiance of the outward side"}},
             Field{"two_sided", &Object::twoSided, {.doc = "Both sides emit"}},
-            Field{"transform", &Object::transform, {.doc = "Place, turn and scale within the group"}},
+            Field{
+                "transform", &Object::transform, {.doc = "Place, turn and scale within the group"}},
             Field{"parent", &Object::parent, {.doc = "Group that holds it"}},
             Field{"visible", &Object::visible, {.doc = "Part of the picture"}},
             Field{"locked", &Object::locked, {.doc = "Cannot be picked in the viewport"}},
@@ -73,11 +82,12 @@ struct Group {
 
     bool operator==(const Group&) const = default;
     static constexpr auto fields() {
-        return std::tuple{Field{"name", &Group::name, {.required = true, .doc = "Unique name"}},
-                          Field{"parent", &Group::parent, {.doc = "Group that holds it"}},
-                          Field{"transform", &Group::transform, {.doc = "Place, turn and scale of all it holds"}},
-                          Field{"visible", &Group::visible, {.doc = "Part of the picture"}},
-                          Field{"locked", &Group::locked, {.doc = "Cannot be picked in the viewport"}}};
+        return std::tuple{
+            Field{"name", &Group::name, {.required = true, .doc = "Unique name"}},
+            Field{"parent", &Group::parent, {.doc = "Group that holds it"}},
+            Field{"transform", &Group::transform, {.doc = "Place, turn and scale of all it holds"}},
+            Field{"visible", &Group::visible, {.doc = "Part of the picture"}},
+            Field{"locked", &Group::locked, {.doc = "Cannot be picked in the viewport"}}};
     }
 };
 
@@ -116,13 +126,33 @@ struct Camera {
         return std::tuple{
             Field{"name", &Camera::name, {.doc = "Unique name"}},
             Field{"position", &Camera::position, {.unit = "m", .doc = "Place of the eye"}},
-            Field{"target", &Camera::target, {.unit = "m", .doc = "Point in the middle of the picture"}},
+            Field{"target",
+                  &Camera::target,
+                  {.unit = "m", .doc = "Point in the middle of the picture"}},
             Field{"up", &Camera::up, {.doc = "Direction that is up in the picture"}},
             Field{"projection", &Camera::projection, {.doc = "With or without perspective"}},
-            Field{"vertical_fov_degrees", &Camera::verticalFovDegrees, {.min = 0, .max = 180, .exclusiveMin = true, .unit = "deg", .doc = "Angle of view over the full height; below 180"}},
-            Field{"ortho_height", &Camera::orthoHeight, {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Height of the picture without perspective"}},
-            Field{"aperture_radius", &Camera::apertureRadius, {.min = 0, .unit = "m", .doc = "Radius of the lens; 0 is sharp everywhere"}},
-            Field{"focus_distance", &Camera::focusDistance, {.min = 0, .exclusiveMin = true, .unit = "m", .doc = "Along the view axis; the target if not given"}}};
+            Field{"vertical_fov_degrees",
+                  &Camera::verticalFovDegrees,
+                  {.min = 0,
+                   .max = 180,
+                   .exclusiveMin = true,
+                   .unit = "deg",
+                   .doc = "Angle of view over the full height; below 180"}},
+            Field{"ortho_height",
+                  &Camera::orthoHeight,
+                  {.min = 0,
+                   .exclusiveMin = true,
+                   .unit = "m",
+                   .doc = "Height of the picture without perspective"}},
+            Field{"aperture_radius",
+                  &Camera::apertureRadius,
+                  {.min = 0, .unit = "m", .doc = "Radius of the lens; 0 is sharp everywhere"}},
+            Field{"focus_distance",
+                  &Camera::focusDistance,
+                  {.min = 0,
+                   .exclusiveMin = true,
+                   .unit = "m",
+                   .doc = "Along the view axis; the target if not given"}}};
     }
 };
 
@@ -139,10 +169,20 @@ struct FilmSettings {
     bool operator==(const FilmSettings&) const = default;
     static constexpr auto fields() {
         return std::tuple{
-            Field{"width", &FilmSettings::width, {.min = 1, .max = 65536, .unit = "px", .doc = "Width of the picture"}},
-            Field{"height", &FilmSettings::height, {.min = 1, .max = 65536, .unit = "px", .doc = "Height of the picture"}},
+            Field{"width",
+                  &FilmSettings::width,
+                  {.min = 1, .max = 65536, .unit = "px", .doc = "Width of the picture"}},
+            Field{"height",
+                  &FilmSettings::height,
+                  {.min = 1, .max = 65536, .unit = "px", .doc = "Height of the picture"}},
             Field{"filter", &FilmSettings::filter, {.doc = "Weight of samples within a pixel"}},
-            Field{"filter_radius", &FilmSettings::filterRadius, {.min = 0, .max = 16, .exclusiveMin = true, .unit = "px", .doc = "Half width of the filter"}}};
+            Field{"filter_radius",
+                  &FilmSettings::filterRadius,
+                  {.min = 0,
+                   .max = 16,
+                   .exclusiveMin = true,
+                   .unit = "px",
+                   .doc = "Half width of the filter"}}};
     }
 };
 
@@ -155,13 +195,19 @@ struct Display {
 
     bool operator==(const Display&) const = default;
     static constexpr auto fields() {
-        return std::tuple{Field{"exposure_ev", &Display::exposureEv, {.min = -100, .max = 100, .unit = "EV", .doc = "Each step doubles the brightness"}},
-                          Field{"view", &Display::view, {.doc = "From linear light to the screen"}}};
+        return std::tuple{
+            Field{
+                "exposure_ev",
+                &Display::exposureEv,
+                {.min = -100, .max = 100, .unit = "EV", .doc = "Each step doubles the brightness"}},
+            Field{"view", &Display::view, {.doc = "From linear light to the screen"}}};
     }
 };
 
 enum class Integrator { Path, Classic };
-[[nodiscard]] constexpr auto enumNames(Integrator) { return std::array<std::string_view, 2>{"path", "classic"}; }
+[[nodiscard]] constexpr auto enumNames(Integrator) {
+    return std::array<std::string_view, 2>{"path", "classic"};
+}
 
 struct RenderSettings {
     Integrator integrator = Integrator::Path;
@@ -176,14 +222,37 @@ struct RenderSettings {
     bool operator==(const RenderSettings&) const = default;
     static constexpr auto fields() {
         return std::tuple{
-            Field{"integrator", &RenderSettings::integrator, {.doc = "path: physically right; classic: the recursive algorithm of the report"}},
-            Field{"max_depth", &RenderSettings::maxDepth, {.min = 0, .max = 100000, .doc = "Most surface interactions on a path; light seen directly is 0"}},
-            Field{"spp", &RenderSettings::spp, {.min = 1, .max = 16777216, .doc = "Samples a pixel to stop at"}},
-            Field{"seed", &RenderSettings::seed, {.min = 0, .max = 2147483647, .doc = "Other seeds give other noise"}},
-            Field{"time_seconds", &RenderSettings::timeSeconds, {.min = 0, .unit = "s", .doc = "Time to stop at; 0 is no limit"}},
-            Field{"error_percent", &RenderSettings::errorPercent, {.min = 0, .max = 100, .unit = "%", .doc = "Error of the picture to stop at, as a share of its mean brightness; 0 is no limit"}},
-            Field{"clamp", &RenderSettings::clamp, {.min = 0, .doc = "Largest sample value, biased; 0 is off"}},
-            Field{"transparent_shadows", &RenderSettings::transparentShadows, {.doc = "classic: glass tints shadows instead of blocking light"}}};
+            Field{
+                "integrator",
+                &RenderSettings::integrator,
+                {.doc = "path: physically right; classic: the recursive algorithm of the report"}},
+            Field{"max_depth",
+                  &RenderSettings::maxDepth,
+                  {.min = 0,
+                   .max = 100000,
+                   .doc = "Most surface interactions on a path; light seen directly is 0"}},
+            Field{"spp",
+                  &RenderSettings::spp,
+                  {.min = 1, .max = 16777216, .doc = "Samples a pixel to stop at"}},
+            Field{"seed",
+                  &RenderSettings::seed,
+                  {.min = 0, .max = 2147483647, .doc = "Other seeds give other noise"}},
+            Field{"time_seconds",
+                  &RenderSettings::timeSeconds,
+                  {.min = 0, .unit = "s", .doc = "Time to stop at; 0 is no limit"}},
+            Field{"error_percent",
+                  &RenderSettings::errorPercent,
+                  {.min = 0,
+                   .max = 100,
+                   .unit = "%",
+                   .doc = "Error of the picture to stop at, as a share of its mean brightness; 0 "
+                          "is no limit"}},
+            Field{"clamp",
+                  &RenderSettings::clamp,
+                  {.min = 0, .doc = "Largest sample value, biased; 0 is off"}},
+            Field{"transparent_shadows",
+                  &RenderSettings::transparentShadows,
+                  {.doc = "classic: glass tints shadows instead of blocking light"}}};
     }
 };
 
@@ -194,7 +263,9 @@ struct Sky {
     bool operator==(const Sky&) const = default;
     static constexpr auto fields() {
         return std::tuple{Field{"sun_direction", &Sky::sunDirection, {.doc = "Towards the sun"}},
-                          Field{"turbidity", &Sky::turbidity, {.min = 1, .max = 10, .doc = "Haze: 2 clear, 10 hazy"}}};
+                          Field{"turbidity",
+                                &Sky::turbidity,
+                                {.min = 1, .max = 10, .doc = "Haze: 2 clear, 10 hazy"}}};
     }
 };
 
@@ -211,13 +282,26 @@ struct Environment {
     bool operator==(const Environment&) const = default;
     static constexpr auto fields() {
         return std::tuple{
-            Field{"color", &Environment::color, {.min = 0, .unit = "W/(sr m2)", .doc = "Colour of the sky, or factor on the image"}},
-            Field{"image", &Environment::image, {.doc = "Latitude-longitude picture, relative to the scene"}},
+            Field{"color",
+                  &Environment::color,
+                  {.min = 0,
+                   .unit = "W/(sr m2)",
+                   .doc = "Colour of the sky, or factor on the image"}},
+            Field{"image",
+                  &Environment::image,
+                  {.doc = "Latitude-longitude picture, relative to the scene"}},
             Field{"sky", &Environment::sky, {.doc = "Computed sky"}},
-            Field{"intensity", &Environment::intensity, {.min = 0, .doc = "Factor on the brightness"}},
-            Field{"rotation_degrees", &Environment::rotationDegrees, {.unit = "deg", .doc = "Turn about the upward axis"}},
-            Field{"visible_to_camera", &Environment::visibleToCamera, {.doc = "Seen behind the objects; light and reflections stay"}},
-            Field{"light_group", &Environment::lightGroup, {.doc = "Group of lights it belongs to"}}};
+            Field{"intensity",
+                  &Environment::intensity,
+                  {.min = 0, .doc = "Factor on the brightness"}},
+            Field{"rotation_degrees",
+                  &Environment::rotationDegrees,
+                  {.unit = "deg", .doc = "Turn about the upward axis"}},
+            Field{"visible_to_camera",
+                  &Environment::visibleToCamera,
+                  {.doc = "Seen behind the objects; light and reflections stay"}},
+            Field{
+                "light_group", &Environment::lightGroup, {.doc = "Group of lights it belongs to"}}};
     }
     [[nodiscard]] Color effectiveColor() const {
         return color.value_or(image.empty() ? Color{0, 0, 0} : Color{1, 1, 1});
@@ -231,7 +315,7 @@ struct Scene {
     Table<Texture, TextureId> textures;
     Table<Light, LightId> lights;
     Table<Camera, CameraId> cameras;
-    Camera camera;          ///< the active one, unless `activeCamera` names one of `cameras`
+    Camera camera;  ///< the active one, unless `activeCamera` names one of `cameras`
     CameraId activeCamera;
     std::vector<Camera> views;  ///< at most nine saved ones
     Environment environment;
@@ -243,7 +327,9 @@ struct Scene {
     /// Deep, with a short cut where both sides share storage.
     bool operator==(const Scene&) const = default;
 
-    [[nodiscard]] const Camera& viewCamera() const { return activeCamera ? cameras.at(activeCamera) : camera; }
+    [[nodiscard]] const Camera& viewCamera() const {
+        return activeCamera ? cameras.at(activeCamera) : camera;
+    }
 };
 
 /// What a light without a surface shines with: its intensity or irradiance.

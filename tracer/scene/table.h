@@ -1,5 +1,6 @@
-// Table<T>: the document's containers. Values by id in insertion order; copying a table costs a few pointers, editing one
-// entry copies one chunk and that entry, and two versions are compared only where their chunks differ.
+// Table<T>: the document's containers. Values by id in insertion order; copying a table costs a few
+// pointers, editing one entry copies one chunk and that entry, and two versions are compared only
+// where their chunks differ.
 #pragma once
 
 #include <array>
@@ -74,7 +75,8 @@ class Table {
         return out;
     }
 
-    /// Calls `visit(id, before, after)` (null where absent) for each entry that is not the same in both tables.
+    /// Calls `visit(id, before, after)` (null where absent) for each entry that is not the same in
+    /// both tables.
     template <class Visit>
     static void forEachDifference(const Table& before, const Table& after, Visit&& visit) {
         const std::size_t chunks = std::max(before.chunks_.size(), after.chunks_.size());
@@ -93,7 +95,8 @@ class Table {
     /// Same ids with equal values. The next free id is not part of the value.
     bool operator==(const Table& other) const {
         bool equal = size_ == other.size_;
-        if (equal) forEachDifference(*this, other, [&](IdType, const T*, const T*) { equal = false; });
+        if (equal)
+            forEachDifference(*this, other, [&](IdType, const T*, const T*) { equal = false; });
         return equal;
     }
 

@@ -96,7 +96,8 @@ struct CanonicalCylinder {
             mantle.emplace(view.worldFromLocal[1] / side.axisLength, view.toWorld(DVec3(0.0)), view,
                            std::atan(std::sqrt((r - 1) * (r + 1))));
         std::optional<DiskView> cap;
-        if (std::abs(view.origin.y) > 1 + kSkin) cap.emplace(view, std::copysign(1.0, view.origin.y));
+        if (std::abs(view.origin.y) > 1 + kSkin)
+            cap.emplace(view, std::copysign(1.0, view.origin.y));
         return {view, side, mantle, cap};
     }
 

@@ -7,8 +7,8 @@
 
 namespace glint {
 
-/// Points no farther outside of a curved shape than this, over its size, look at it as from inside: where rounding decides on which
-/// side a point of the surface is, the part in view cannot be told.
+/// Points no farther outside of a curved shape than this, over its size, look at it as from inside:
+/// where rounding decides on which side a point of the surface is, the part in view cannot be told.
 inline constexpr double kSkin = 1e-9;
 
 struct Viewpoint {

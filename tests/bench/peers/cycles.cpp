@@ -20,7 +20,8 @@ constexpr std::string_view kAnswer = "GLINT ";
 
 class CyclesRenderer final : public Renderer {
   public:
-    CyclesRenderer(Process process, std::filesystem::path folder) : process_(std::move(process)), folder_(std::move(folder)) {}
+    CyclesRenderer(Process process, std::filesystem::path folder)
+        : process_(std::move(process)), folder_(std::move(folder)) {}
 
     /// Waits until the scene is built, and finds what a call costs beside its samples.
     Status prepare() {
@@ -28,7 +29,8 @@ class CyclesRenderer final : public Renderer {
         Answer answer;
         if (Status built = await(answer); !built) return built.error();
         for (const auto& note : answer.json.at("notes")) notes_.push_back(note.get<std::string>());
-        if (Status first = ask(1, 0, answer); !first) return first.error();  // Builds Cycles' own scene.
+        if (Status first = ask(1, 0, answer); !first)
+            return first.error();  // Builds Cycles' own scene.
         setupSeconds_ = watch.wallSeconds();
         if (Status one = ask(1, 0, answer); !one) return one.error();
         callSeconds_ = answer.json.at("cpu").get<double>();
@@ -40,7 +42,8 @@ class CyclesRenderer final : public Renderer {
         if (Status asked = ask(spp, seed, answer); !asked) return asked.error();
         Result<std::shared_ptr<const Image>> image = loadImage(picture(), ColorSpace::Linear);
         if (!image) return image.error();
-        // Processor time is known of whole calls only: what a call of one sample takes is taken off, but for that sample.
+        // Processor time is known of whole calls only: what a call of one sample takes is taken
+        // off, but for that sample.
         const double cpu = answer.json.at("cpu").get<double>();
         const double rendering = spp > 1 ? (cpu - callSeconds_) * spp / (spp - 1) : cpu;
         return TimedPicture{*image.value(), answer.renderSeconds, std::max(rendering, 0.0)};
@@ -57,7 +60,8 @@ class CyclesRenderer final : public Renderer {
     [[nodiscard]] std::filesystem::path picture() const { return folder_ / "cycles.exr"; }
 
     Status ask(int spp, int seed, Answer& answer) {
-        if (!process_.writeLine(Json{{"spp", spp}, {"seed", seed}, {"output", picture().string()}}.dump()))
+        if (!process_.writeLine(
+                Json{{"spp", spp}, {"seed", seed}, {"output", picture().string()}}.dump()))
             return failed("it has ended");
         return await(answer);
     }
@@ -72,13 +76,15 @@ class CyclesRenderer final : public Renderer {
                 if (answer.json.is_object()) return Done{};
                 return failed("it answers " + line);
             }
-            if (line.find("Error") != std::string::npos || line.starts_with("  File")) tail += "\n  " + line;
+            if (line.find("Error") != std::string::npos || line.starts_with("  File"))
+                tail += "\n  " + line;
         }
         return failed("it has ended" + tail);
     }
 
     static Error failed(const std::string& why) {
-        return {"Blender does not render: " + why, {}, 0, 0, {}, "the bench is written for Blender 3.4"};
+        return {"Blender does not render: " + why,     {}, 0, 0, {},
+                "the bench is written for Blender 3.4"};
     }
 
     Process process_;
@@ -94,9 +100,10 @@ Result<std::unique_ptr<Renderer>> startCycles(const PeerScene& scene) {
     std::ofstream out(file);
     out << sceneJson(scene.scene, Defaults::Written).dump(1) << '\n';
     if (!out.flush()) return Error{"cannot write", file.string(), 0, 0, {}, {}};
-    Result<Process> process = Process::start({"blender", "-b", "--factory-startup", "--debug-cycles", "--python-exit-code", "1", "--python",
-                                              test::inSource("tests/bench/peers/cycles_scene.py").string(), "--", file.string(),
-                                              std::to_string(scene.threads), scene.exact ? "exact" : "fast"});
+    Result<Process> process = Process::start(
+        {"blender", "-b", "--factory-startup", "--debug-cycles", "--python-exit-code", "1",
+         "--python", test::inSource("tests/bench/peers/cycles_scene.py").string(), "--",
+         file.string(), std::to_string(scene.threads), scene.exact ? "exact" : "fast"});
     if (!process) return process.error();
     auto renderer = std::make_unique<CyclesRenderer>(std::move(process).value(), scene.folder);
     const Status ready = renderer->prepare();

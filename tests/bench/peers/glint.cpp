@@ -12,19 +12,23 @@ namespace {
 
 class InProcess final : public GlintRenderer {
   public:
-    InProcess(PeerScene peer, double setupSeconds) : peer_(std::move(peer)), setupSeconds_(setupSeconds) {}
+    InProcess(PeerScene peer, double setupSeconds)
+        : peer_(std::move(peer)), setupSeconds_(setupSeconds) {}
 
     Status prepare() {
         const Stopwatch watch;
         Result<Compiled> compiled = compile(peer_.scene, peer_.folder, assets_);
         if (!compiled) return compiled.error();
         compiled_ = compiled.value().scene;
-        for (const CompileWarning& warning : compiled.value().warnings) notes_.push_back(warning.error.text());
+        for (const CompileWarning& warning : compiled.value().warnings)
+            notes_.push_back(warning.error.text());
         setupSeconds_ += watch.wallSeconds();
         return Done{};
     }
     Result<TimedPicture> render(int spp, int seed) override { return timed(spp, 0, seed); }
-    Result<TimedPicture> renderTo(double errorPercent, int seed) override { return timed(kMostSpp, errorPercent, seed); }
+    Result<TimedPicture> renderTo(double errorPercent, int seed) override {
+        return timed(kMostSpp, errorPercent, seed);
+    }
     [[nodiscard]] double setupSeconds() const override { return setupSeconds_; }
     [[nodiscard]] std::vector<std::string> notes() const override { return notes_; }
 

@@ -15,7 +15,8 @@ std::array<double, 12> rowsOf(const Affine& affine) {
     if (transform.matrix) return *transform.matrix;
     std::array<double, 12> rows{};
     for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) rows[static_cast<std::size_t>(4 * row + column)] = affine.linear[column][row];
+        for (int column = 0; column < 3; ++column)
+            rows[static_cast<std::size_t>(4 * row + column)] = affine.linear[column][row];
         rows[static_cast<std::size_t>(4 * row + 3)] = affine.translation[row];
     }
     return rows;
@@ -43,7 +44,8 @@ void flattenObjects(Scene& scene) {
 Status flattenEnvironment(Scene& scene, const fs::path& sceneFolder, const fs::path& folder) {
     Environment& environment = scene.environment;
     if (!environment.image.empty()) {
-        environment.image = fs::absolute(sceneFolder / environment.image).lexically_normal().string();
+        environment.image =
+            fs::absolute(sceneFolder / environment.image).lexically_normal().string();
     } else if (environment.sky) {
         AssetCache assets;
         const fs::path picture = folder / "sky.exr";
@@ -57,10 +59,12 @@ Status flattenEnvironment(Scene& scene, const fs::path& sceneFolder, const fs::p
 
 }  // namespace
 
-Result<PeerScene> loadPeerScene(const fs::path& file, int width, int threads, const fs::path& folder) {
+Result<PeerScene> loadPeerScene(const fs::path& file, int width, int threads,
+                                const fs::path& folder) {
     Result<Scene> loaded = loadScene(file);
     if (!loaded) return loaded.error();
-    PeerScene out{file.stem().string(), std::move(loaded).value(), threads, false, fs::absolute(folder)};
+    PeerScene out{file.stem().string(), std::move(loaded).value(), threads, false,
+                  fs::absolute(folder)};
     Scene& scene = out.scene;
     scaleFilm(scene, width);
     scene.film.filter = Filter::Box;

@@ -13,15 +13,19 @@ namespace glint::bench {
 
 /// What all renderers of a comparison get: their scene in the simplest terms, and how to render it.
 struct PeerScene {
-    std::string name;     ///< the file's, without its ending
-    Scene scene;          ///< no groups, nothing hidden, every transform a matrix, one camera, a box filter, absolute paths; a computed sky is a picture
+    std::string name;  ///< the file's, without its ending
+    Scene scene;       ///< no groups, nothing hidden, every transform a matrix, one camera, a box
+                       ///< filter, absolute paths; a computed sky is a picture
     int threads = 2;
-    bool exact = false;   ///< peers are set up for the same picture, where that is dearer than the fastest similar one
+    bool exact = false;  ///< peers are set up for the same picture, where that is dearer than the
+                         ///< fastest similar one
     std::filesystem::path folder;  ///< for files of this scene
 };
 
-/// Loads `file` and simplifies it. Its film becomes `width` wide with the same shape; `folder` must exist.
-[[nodiscard]] Result<PeerScene> loadPeerScene(const std::filesystem::path& file, int width, int threads, const std::filesystem::path& folder);
+/// Loads `file` and simplifies it. Its film becomes `width` wide with the same shape; `folder` must
+/// exist.
+[[nodiscard]] Result<PeerScene> loadPeerScene(const std::filesystem::path& file, int width,
+                                              int threads, const std::filesystem::path& folder);
 
 /// A render and what it took, without starting, loading and building.
 struct TimedPicture {

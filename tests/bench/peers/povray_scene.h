@@ -1,4 +1,5 @@
-// A Glint scene as POV-Ray's scene language, for the `classic` integrator: both are Whitted's algorithm.
+// A Glint scene as POV-Ray's scene language, for the `classic` integrator: both are Whitted's
+// algorithm.
 #pragma once
 
 #include <string>

@@ -15,8 +15,8 @@ class GlintRenderer : public Renderer {
 };
 [[nodiscard]] Result<std::unique_ptr<GlintRenderer>> startGlint(const PeerScene& scene);
 
-/// Blender's Cycles on the processor, in a Blender of its own that is kept for all renders: no clamping, glossy filter, adaptive
-/// stop, light threshold or denoiser.
+/// Blender's Cycles on the processor, in a Blender of its own that is kept for all renders: no
+/// clamping, glossy filter, adaptive stop, light threshold or denoiser.
 [[nodiscard]] Result<std::unique_ptr<Renderer>> startCycles(const PeerScene& scene);
 
 }  // namespace glint::bench

@@ -1,4 +1,5 @@
-// The part of `peers` for scenes of the classic integrator: time at the same anti-aliasing error, against POV-Ray.
+// The part of `peers` for scenes of the classic integrator: time at the same anti-aliasing error,
+// against POV-Ray.
 #pragma once
 
 #include <filesystem>
@@ -34,8 +35,9 @@ struct WhittedFigures {
     void summarize(Json& json) const;
 };
 
-/// Compares on one scene. Every way of POV-Ray to smooth edges that no other beats in both time and error counts, and Glint's time
-/// at the same error is read off its own curve. Answers with an exit code.
+/// Compares on one scene. Every way of POV-Ray to smooth edges that no other beats in both time and
+/// error counts, and Glint's time at the same error is read off its own curve. Answers with an exit
+/// code.
 int compareWithPovray(const PeersOptions& options, const PeerScene& scene, WhittedFigures& figures);
 
 }  // namespace glint::bench
