@@ -35,7 +35,7 @@ MaterialId materialForNew(Scene& scene, const Selection& selection) {
 double reachBelow(const Shape& shape) {
     Bounds bounds;
     for (const DVec3& point : hullPoints(shape)) bounds.add(point);
-    return bounds.isEmpty() ? 0 : -bounds.min.y;
+    return bounds.isEmpty() ? 0 : -bounds.lower.y;
 }
 
 Object objectAt(const ViewContext::Placement& place, const Shape& shape, std::string name) {

@@ -9,6 +9,7 @@
 #include "tests/bench/output.h"
 #include "tests/bench/shape_field.h"
 #include "tracer/compile/compiler.h"
+#include "tracer/compile/view.h"
 #include "tracer/io/svg_plot.h"
 #include "tracer/math/statistics.h"
 #include "tracer/render/render.h"

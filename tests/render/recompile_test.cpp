@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "tests/support/scenes.h"
+#include "tracer/compile/view.h"
 
 namespace glint {
 namespace {

@@ -1,129 +1,20 @@
 #include "tracer/compile/compiler.h"
 
 #include <algorithm>
-#include <bit>
+#include <map>
 #include <optional>
 
+#include "tracer/compile/lengths.h"
 #include "tracer/compile/media_contacts.h"
 #include "tracer/compile/render_scene.h"
+#include "tracer/compile/view.h"
 #include "tracer/lights/sky.h"
+#include "tracer/math/bounds.h"
 #include "tracer/scene/light_groups.h"
 
 namespace glint {
 
-Result<std::shared_ptr<const Image>> AssetCache::image(const std::filesystem::path& path,
-                                                       ColorSpace space, int& loads) {
-    std::error_code error;
-    const auto time = std::filesystem::last_write_time(path, error);
-    const auto key = std::pair(path.string(), space);
-    if (const auto found = images_.find(key);
-        !error && found != images_.end() && found->second.time == time)
-        return found->second.image;
-    auto loaded = loadImage(path, space);
-    ++loads;
-    if (loaded.ok() && !error) images_[key] = {time, loaded.value()};
-    return loaded;
-}
-
-std::shared_ptr<const Image> AssetCache::sky(const Sky& sky) {
-    if (!skyImage_ || !(sky == sky_)) {
-        sky_ = sky;
-        skyImage_ = std::make_shared<const Image>(skyImage(sky));
-    }
-    return skyImage_;
-}
-
 namespace {
-
-/// Bounding box in world space.
-struct Bounds {
-    DVec3 min{kInfinity}, max{-kInfinity};
-    void add(const DVec3& center, const DVec3& half) {
-        min = glm::min(min, center - half);
-        max = glm::max(max, center + half);
-    }
-    [[nodiscard]] bool empty() const { return !(min.x <= max.x); }
-};
-
-/// A picture that says "missing": a magenta and black checker.
-std::shared_ptr<const Image> missingImage() {
-    auto image = std::make_shared<Image>(Image{64, 32, {}});
-    for (int y = 0; y < image->height; ++y)
-        for (int x = 0; x < image->width; ++x) {
-            const float on = (x / 4 + y / 4) % 2 ? 0.5f : 0.0f;
-            image->rgb.insert(image->rgb.end(), {on, 0, on});
-        }
-    return image;
-}
-
-/// Lengths that geometry can be computed with [m]: their cubes are far from the ends of double.
-constexpr double kLeastLength = 1e-90, kMostLength = 1e90;
-constexpr const char* kLengthRemedy =
-    "scale the scene: lengths from 1e-90 to 1e90 m can be computed with";
-
-[[nodiscard]] double largest(const DVec3& v) { return maxComponent(absolute(v)); }
-
-/// Why no picture can be taken with this camera, if so. Files are checked on loading; this holds
-/// for scenes made otherwise.
-std::optional<Error> cameraProblem(const Camera& camera) {
-    const DVec3 axis = camera.target - camera.position;
-    if (!isFinite(axis) || !(largest(axis) > 0))
-        return Error{.message = "the camera has no direction to look in",
-                     .pointer = "/camera/target",
-                     .remedy = "move its position or its target"};
-    if (largest(axis) < kLeastLength ||
-        !(std::max(largest(camera.position), largest(camera.target)) <= kMostLength))
-        return Error{.message = "the camera is too near to its target or too far away",
-                     .pointer = "/camera",
-                     .remedy = kLengthRemedy};
-    // Below this sine of the angle between view and up, rounding decides what is right and left.
-    constexpr double kSmallestSine = 1e-9;
-    if (!(glm::length(glm::cross(glm::normalize(axis), camera.up)) >
-          kSmallestSine * glm::length(camera.up)))
-        return Error{.message = "the camera's up lies along the view or has no direction",
-                     .pointer = "/camera/up",
-                     .remedy = "turn it"};
-    const bool perspective = camera.projection == Projection::Perspective;
-    if (perspective ? !(camera.verticalFovDegrees > 0 && camera.verticalFovDegrees < 180)
-                    : !(camera.orthoHeight > 0))
-        return Error{.message = "the camera's field of view is empty or too wide",
-                     .pointer = "/camera",
-                     .remedy = "use an angle above 0 and below 180 degrees"};
-    return std::nullopt;
-}
-
-/// From the largest to the smallest: of nested media the inner one is entered last.
-void findCameraMedia(RenderScene& out) {
-    const DVec3 reach = out.camera.reach(out.film.filterRadius);
-    std::vector<std::uint32_t> around;
-    for (std::uint32_t i = 0; i < out.shapes.size(); ++i) {
-        const ShapeInstance& shape = out.shapes[i];
-        if (shape.dielectric && shape.mayReach(out.camera.position(), reach)) around.push_back(i);
-    }
-    const auto volume = [&](std::uint32_t i) {
-        const DVec3 half = out.shapes[i].halfSize();
-        return half.x * half.y * half.z;
-    };
-    std::stable_sort(around.begin(), around.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return volume(a) > volume(b); });
-    out.cameraMedia = {};
-    out.cameraBoundaries.clear();
-    if (reach != DVec3(0.0)) {
-        out.cameraBoundaries = std::move(around);
-        return;
-    }
-    for (const std::uint32_t i : around)
-        if (out.shapes[i].holds(out.camera.position())) out.cameraMedia.cross(i);
-}
-
-/// All that depends on the camera and its film.
-void setView(RenderScene& out, const Scene& scene) {
-    out.film = scene.film;
-    out.camera = CameraModel(scene.viewCamera(), out.origin, scene.film.width, scene.film.height);
-    findCameraMedia(out);
-    constexpr auto lens = static_cast<Features>(Feature::Lens);
-    out.features = (out.features & ~lens) | (out.camera.hasLens() ? lens : 0u);
-}
 
 /// One run of compile(): fills `out_` part by part.
 class Compiler {
@@ -235,9 +126,10 @@ class Compiler {
             if (std::max(largest(world.translation), largest(half)) > kMostLength)
                 return warnOfLength(object);
             placed.emplace_back(id, world);
-            if (!std::holds_alternative<Plane>(object.shape)) bounds.add(world.translation, half);
+            if (!std::holds_alternative<Plane>(object.shape))
+                bounds.add(Bounds::around(world.translation, half));
         });
-        if (!bounds.empty()) out_->origin = 0.5 * (bounds.min + bounds.max);
+        if (!bounds.isEmpty()) out_->origin = bounds.center();
         std::vector<ShapeInstance> shapes;
         shapes.reserve(placed.size());
         for (const auto& [id, world] : placed) addShape(id, scene_.objects.at(id), world, shapes);
@@ -526,20 +418,6 @@ class Compiler {
 Result<Compiled> compile(const Scene& scene, const std::filesystem::path& assetFolder,
                          AssetCache& assets, const std::shared_ptr<const RenderScene>& previous) {
     return Compiler(scene, assetFolder, assets, previous.get()).run();
-}
-
-bool sameButView(const Scene& a, const Scene& b) {
-    return a.objects == b.objects && a.groups == b.groups && a.materials == b.materials &&
-           a.textures == b.textures && a.lights == b.lights && a.environment == b.environment &&
-           a.render == b.render;
-}
-
-Result<std::shared_ptr<const RenderScene>> withView(const RenderScene& compiled,
-                                                    const Scene& scene) {
-    if (auto problem = cameraProblem(scene.viewCamera())) return std::move(*problem);
-    auto out = std::make_shared<RenderScene>(compiled);
-    setView(*out, scene);
-    return std::shared_ptr<const RenderScene>(std::move(out));
 }
 
 std::vector<std::string> featureNames(const RenderScene& scene) {

@@ -3,22 +3,16 @@
 #include <algorithm>
 #include <vector>
 
+#include "tracer/math/bounds.h"
+
 namespace glint {
 namespace {
-
-struct Bounds {
-    DVec3 min, max;
-};
-
-bool touch(const Bounds& a, const Bounds& b) {
-    return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
-}
 
 /// A little larger than the shape, for the rounding of places that should coincide.
 Bounds boundsOf(const ShapeInstance& shape) {
     constexpr double kSlack = 1e-9;
     const DVec3 half = shape.halfSize(), slack = kSlack * (half + absolute(shape.center));
-    return {shape.center - half - slack, shape.center + half + slack};
+    return Bounds::around(shape.center, half + slack);
 }
 
 std::vector<Bounds> boundsOfMedia(const RenderScene& scene) {
@@ -26,7 +20,7 @@ std::vector<Bounds> boundsOfMedia(const RenderScene& scene) {
     for (const ShapeInstance& shape : scene.shapes)
         if (shape.dielectric) boxes.push_back(boundsOf(shape));
     std::sort(boxes.begin(), boxes.end(),
-              [](const Bounds& a, const Bounds& b) { return a.min.x < b.min.x; });
+              [](const Bounds& a, const Bounds& b) { return a.lower.x < b.lower.x; });
     return boxes;
 }
 
@@ -39,7 +33,7 @@ int mostAtOnePlace(const std::vector<Bounds>& boxes, int axis, int enough) {
     for (const Bounds& first : boxes) {
         std::vector<Bounds> there;
         for (const Bounds& box : boxes)
-            if (box.min[axis] <= first.min[axis] && first.min[axis] <= box.max[axis])
+            if (box.lower[axis] <= first.lower[axis] && first.lower[axis] <= box.upper[axis])
                 there.push_back(box);
         if (static_cast<int>(there.size()) > most)
             most = std::max(most, mostAtOnePlace(there, axis + 1, enough));
@@ -56,8 +50,8 @@ bool mediaMayMatch(const RenderScene& scene) {
     const std::vector<Bounds> boxes = boundsOfMedia(scene);
     // From left to right, each against those that begin before it ends.
     for (std::size_t i = 0; i < boxes.size(); ++i)
-        for (std::size_t j = i + 1; j < boxes.size() && boxes[j].min.x <= boxes[i].max.x; ++j)
-            if (touch(boxes[i], boxes[j])) return true;
+        for (std::size_t j = i + 1; j < boxes.size() && boxes[j].lower.x <= boxes[i].upper.x; ++j)
+            if (boxes[i].touches(boxes[j])) return true;
     return false;
 }
 
@@ -67,10 +61,10 @@ int mostMediaAtOnePlace(const RenderScene& scene, int enough) {
     int most = 0;
     std::vector<Bounds> begun;
     for (const Bounds& box : boundsOfMedia(scene)) {
-        std::erase_if(begun, [&](const Bounds& other) { return other.max.x < box.min.x; });
+        std::erase_if(begun, [&](const Bounds& other) { return other.upper.x < box.lower.x; });
         std::vector<Bounds> there{box};
         for (const Bounds& other : begun)
-            if (touch(box, other)) there.push_back(other);
+            if (box.touches(other)) there.push_back(other);
         begun.push_back(box);
         if (static_cast<int>(there.size()) > most)
             most = std::max(most, mostAtOnePlace(there, 1, enough));

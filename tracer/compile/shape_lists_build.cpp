@@ -270,7 +270,7 @@ void ShapeLists::fillTree(const std::vector<ShapeInstance>& instances,
         Bounds out;
         for (std::uint32_t i = first; i < first + shapes; ++i) {
             const std::uint32_t index = leaf & kBallBit ? balls_[i].index : boxes_[i].index;
-            out.add(bounded(instances[index], index));
+            out.add(bounded(instances[index], index).bounds());
         }
         return out;
     });

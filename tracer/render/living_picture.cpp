@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "tracer/compile/view.h"
 #include "tracer/render/adaptive.h"
 
 namespace glint {
