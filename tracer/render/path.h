@@ -1,17 +1,12 @@
 // The `path` integrator: unidirectional path tracing with next-event estimation, multiple
 // importance sampling by the balance heuristic (Veach 1997, ch. 9) and Russian roulette. At the
-// first smooth dielectrics both ways are followed. Start reading at radiance(). Instantiated in
-// kernels.cpp for sets of features; what a set lacks is not compiled.
+// first smooth dielectrics both ways are followed. Start reading at radiance(). Where paths go is
+// told here, what light they bring in path_radiance.h. Instantiated in kernels.cpp for sets of
+// features; what a set lacks is not compiled.
 #pragma once
 
 #include "tracer/render/camera_hit.h"
-#include "tracer/render/connections.h"
-#include "tracer/render/highlights.h"
-#include "tracer/render/layers.h"
-#include "tracer/render/path_choices.h"
-#include "tracer/render/path_record.h"
-#include "tracer/render/path_state.h"
-#include "tracer/render/shadow.h"
+#include "tracer/render/path_radiance.h"
 
 namespace glint {
 
@@ -19,7 +14,7 @@ template <Features F, class Heuristic = UsualHeuristic, class Effort = UsualEffo
 class PathTracer {
   public:
     PathTracer(KernelState& state, const Sampler& sampler)
-        : state_(state), scene_(state.scene), sampler_(sampler) {}
+        : state_(state), scene_(state.scene), sampler_(sampler), light_(state, sampler) {}
 
     /// Radiance that arrives along a camera ray.
     Rgb radiance(const Ray& cameraRay) {
@@ -27,20 +22,17 @@ class PathTracer {
         first.ray = cameraRay;
         if constexpr (has(F, Feature::Media)) first.media = mediaAt(scene_, cameraRay.origin);
         ++state_.rays.primary;
-        record([&](PathRecord& r) { first.vertex = r.leave(-1, PathEvent::Camera, Rgb(1.0f), 1); });
+        record<F>(state_, [&](PathRecord& r) {
+            first.vertex = r.leave(-1, PathEvent::Camera, Rgb(1.0f), 1);
+        });
         follow(first);
-        return sum_;
+        return light_.sum();
     }
 
   private:
     using Path = PathState;
+    using Does = PathWork<F, Effort>;
 
-    static constexpr bool kSamplesLights =
-        has(F, Feature::DeltaLights) || has(F, Feature::AreaLights) || has(F, Feature::SampledSky);
-    static constexpr bool kConnects = Effort::kConnects && has(F, Feature::Casters);
-    static constexpr bool kHighlights = Effort::kHighlights && has(F, Feature::Highlights);
-    static constexpr bool kLightsMayBePassed =
-        has(F, Feature::Straight) && has(F, Feature::AreaLights);
     /// Hidden boundaries count as no interaction; this many in a row mean a path caught in
     /// rounding.
     static constexpr int kMaxHidden = 256;
@@ -55,10 +47,10 @@ class PathTracer {
                 if (!path.media.empty())
                     path.throughput *= transmittance<F>(
                         mediumOf(scene_, fillingShape(scene_, path.media)), hit.t, state_.work);
-            record([&](PathRecord& r) {
+            record<F>(state_, [&](PathRecord& r) {
                 r.travel(path.vertex, hit.t, mediumOf(scene_, fillingShape(scene_, path.media)));
             });
-            if (!hit.found()) return addSky(path);
+            if (!hit.found()) return light_.addSky(path);
             const SurfacePoint point = surfacePoint(scene_, path.ray, hit, path.media);
             state_.materials |= scene_.materials[point.instance(scene_).material].bit;
             if constexpr (has(F, Feature::Media)) {
@@ -73,124 +65,19 @@ class PathTracer {
             }
             if constexpr (has(F, Feature::Layers))
                 if (path.depth == 0) describeSurface(scene_, point, *state_.layers, state_.work);
-            record([&](PathRecord& r) { r.arrive(path.vertex, scene_, point, path.throughput); });
-            if constexpr (has(F, Feature::AreaLights)) addEmission(path, point);
+            record<F>(state_, [&](PathRecord& r) {
+                r.arrive(path.vertex, scene_, point, path.throughput);
+            });
+            if constexpr (has(F, Feature::AreaLights)) light_.addEmission(path, point);
             if (path.depth >= scene_.settings.maxDepth || !scatter(path, point)) return;
         }
     }
 
-    /// Weight of light found by following the path to a light that next-event estimation, having
-    /// chosen the light, would reach with density lightDensity().
-    template <class Density>
-    [[nodiscard]] float foundWeight(const Path& path, std::uint32_t light,
-                                    Density lightDensity) const {
-        if (!has(F, Feature::Smooth) || path.pdf == 0) return 1;
-        if constexpr (kLightsMayBePassed)
-            if (path.passedLights.contains(light)) return 1;
-        ++state_.work[Work::MisWeights];
-        const double chosen =
-            path.allLights || scene_.lights.lights.size() == 1
-                ? 1.0
-                : scene_.lights.choice.probability(path.from, path.fromNormal, light);
-        return static_cast<float>(Heuristic::bsdfWeight(path.pdf, chosen * lightDensity()) *
-                                  shareOf(path.step, light));
-    }
-    /// The same for light that a connection over a perfect ball would reach at `y`, or in that
-    /// direction.
-    [[nodiscard]] float foundWeight(const Path& path, std::uint32_t light, const DVec3& y,
-                                    const DVec3& normal) const {
-        if constexpr (kConnects)
-            if (const ChainProgress& chain = path.chain;
-                chain.state == ChainProgress::State::Complete) {
-                const double pdf =
-                    connectionPdf(scene_, chain, light, path.from, y, path.ray.direction, normal);
-                return pdf > 0 ? static_cast<float>(Heuristic::bsdfWeight(chain.pdf, pdf)) : 1;
-            }
-        return foundWeight(path, light, [&] {
-            return lightPdf(scene_.lights, scene_.shapes, light, path.from, path.ray.direction);
-        });
-    }
-
-    /// Weight of light that a path brings by a step that a highlight could have drawn.
-    [[nodiscard]] double shareOf(const HighlightStep& step, std::uint32_t light) const {
-        if constexpr (kHighlights)
-            if (step.surface)
-                return Heuristic::bsdfWeight(step.pdf, highlightDensity(scene_, step, light));
-        return 1;
-    }
-
-    void addSky(const Path& path) {
-        if constexpr (has(F, Feature::Sky)) {
-            if (!has(F, Feature::NoSkips) && !has(scene_.features, Feature::Sky)) return;
-            ++state_.work[Work::SkyLookups];
-            const CompiledEnvironment& environment = scene_.lights.environment;
-            if (!environment.isBlack() &&
-                !(path.straightFromCamera && !environment.visibleToCamera))
-                add(path, LightLayer::Environment, environment.group,
-                    path.throughput * environment.scale * seenInSky(path, environment));
-            if constexpr (has(F, Feature::SampledSky))
-                for (const std::uint32_t sun : scene_.lights.sunDiscs)
-                    if (const CompiledLight& light = scene_.lights.lights[sun];
-                        light.discHolds(path.ray.direction))
-                        add(path, LightLayer::Environment, light.group,
-                            path.throughput * light.emission *
-                                foundWeight(path, sun, path.ray.direction, DVec3(0.0)));
-        }
-    }
-
-    [[nodiscard]] Rgb seenInSky(const Path& path, const CompiledEnvironment& environment) const {
-        if (!environment.map) return Rgb(1.0f);
-        ++state_.work[Work::MapLookups];
-        const EnvironmentLookup seen =
-            environment.map->evaluate(environment.mapFromWorld(path.ray.direction));
-        const std::uint32_t light = scene_.lights.environmentLight;
-        if (path.pdf == 0)
-            return seen.radiance * foundWeight(path, light, path.ray.direction, DVec3(0.0));
-        return seen.radiance * foundWeight(path, light, [&] { return seen.pdf; });
-    }
-
-    void addEmission(const Path& path, const SurfacePoint& point) {
-        if (!has(F, Feature::NoSkips) && !has(scene_.features, Feature::AreaLights)) return;
-        ++state_.work[Work::EmissionTests];
-        const std::uint32_t light = point.instance(scene_).light;
-        if (light == ~0u) return;
-        const CompiledLight& emitter = scene_.lights.lights[light];
-        if (point.outside || emitter.twoSided)
-            add(path, LightLayer::Emission, emitter.group,
-                path.throughput * emitter.emission *
-                    foundWeight(path, light, point.position, point.frame.n));
-    }
-
-    /// Tells the record, if one is kept (layers only).
-    template <class Tell>
-    void record(Tell&& tell) {
-        if constexpr (has(F, Feature::Layers))
-            if (state_.record) tell(*state_.record);
-    }
     void recordBranch(Path& path, const SurfacePoint& point, const DeltaBranch& branch,
                       double chance) {
-        record([&](PathRecord& r) {
+        record<F>(state_, [&](PathRecord& r) {
             path.vertex = r.leave(path.vertex, eventOf(point, branch), branch.weight, chance);
         });
-    }
-
-    /// Light found where the path has come to; `seen` is its layer if the camera sees it there
-    /// itself.
-    void add(const Path& path, LightLayer seen, std::uint8_t group, const Rgb& value) {
-        sum_ += value;
-        state_.addToGroup(group, value);
-        record([&](PathRecord& r) {
-            r.add(path.vertex, scene_,
-                  seen == LightLayer::Emission ? PathLight::Kind::Emission
-                                               : PathLight::Kind::Environment,
-                  ~0u, Rgb(1.0f), value);
-        });
-        if constexpr (has(F, Feature::Layers)) {
-            if (path.bounces == 0)
-                state_.layers->add(seen, value);
-            else
-                state_.layers->add(path.shares, path.bounces == 1, value);
-        }
     }
 
     /// One surface interaction: light from the sources, then the next direction. False: the path
@@ -205,27 +92,27 @@ class PathTracer {
         const float total = material.smoothAlbedo + branches.total;
         if (!(total > 0)) return false;
         const float smoothChance = material.smoothAlbedo / total;
+        const Receiver receiver{path, step, point, material, smoothChance};
 
         const std::uint32_t own = sampleBlock(SampleUse::Bsdf, path.depth, path.branch);
-        const bool lit = has(F, Feature::Smooth) && kSamplesLights &&
-                         (smoothChance > 0 || has(F, Feature::NoSkips)) && !scene_.lights.empty();
+        const bool lit = Does::kSamplesLights && (smoothChance > 0 || has(F, Feature::NoSkips)) &&
+                         !scene_.lights.empty();
         SampleBlock u(0.0f);
-        float spare = kNoNumber;  // The fourth of the light's numbers: sums of what each use brings
-                                  // stay right if they share it.
+        // The fourth of the light's numbers: sums of what each use brings stay right if they share
+        // it.
+        float spare = kNoNumber;
         if (lit) {
             const auto [light, bsdf] =
                 sampler_.blocks(sampleBlock(SampleUse::Light, path.depth, path.branch), own);
             u = bsdf;
             if (smoothChance > 0) spare = light.w;
-            if constexpr (has(F, Feature::Smooth) && kSamplesLights)
-                addDirect(path, step, point, material, smoothChance, light);
+            if constexpr (Does::kSamplesLights) light_.addDirect(receiver, light);
         }
-        if constexpr (kConnects)
-            if (smoothChance > 0 && !scene_.casters.empty())
-                addConnections(path, point, material, smoothChance, spare);
-        if constexpr (kHighlights)
+        if constexpr (Does::kConnects)
+            if (smoothChance > 0 && !scene_.casters.empty()) light_.addConnections(receiver, spare);
+        if constexpr (Does::kHighlights)
             if (smoothChance > 0 && !scene_.highlights.empty())
-                addHighlights(path, point, material, smoothChance, spare);
+                light_.addHighlights(receiver, spare);
         if constexpr (has(F, Feature::Delta)) {
             if (path.splits < Effort::kMostSplits && branches.areTwo(material))
                 return takeBoth(path, point, branches);
@@ -234,44 +121,48 @@ class PathTracer {
         const float choice = u.w * total;
         if (!has(F, Feature::Delta) || choice < material.smoothAlbedo) {
             if constexpr (has(F, Feature::Smooth)) {
-                const float leafChoice = std::min(choice / material.smoothAlbedo, 0x1.fffffep-1f);
-                const BsdfSample s = sampleSmooth<F>(material, point.wo, {u.x, u.y, u.z},
-                                                     leafChoice, point.eta, state_.work);
-                if (!(s.pdf > 0)) return false;
-                record([&](PathRecord& r) {
-                    path.vertex =
-                        r.leave(path.vertex, PathEvent::Smooth, s.f * (std::abs(s.wi.z) / s.pdf),
-                                static_cast<double>(smoothChance));
-                });
-                const float drive = connectionDrive(path.throughput, material);
-                if constexpr (kHighlights) path.drive = highlightDrive(path.throughput, material);
-                path.throughput *= s.f * (std::abs(s.wi.z) / (s.pdf * smoothChance));
-                path.pdf = static_cast<double>(s.pdf) * smoothChance;
-                path.from = point.position;
-                path.fromNormal = point.facingNormal();
-                path.step = step;
-                if constexpr (kLightsMayBePassed) path.passedLights = {};
-                path.allLights = sampleAll(path);
-                path.scattered = true;
-                if constexpr (has(F, Feature::Layers))
-                    if (path.bounces == 0)
-                        path.shares = smoothShares(material, point.wo, s.wi, point.eta);
-                leave(path, point, s.wi, false);
-                if (!path.media.empty()) path.drive = 0;
-                if constexpr (kConnects)
-                    path.chain =
-                        ChainProgress::start(scene_, point.shape, path.media, path.pdf, drive);
-                return survives(path, Effort::kDim, spare);
+                u.w = std::min(choice / material.smoothAlbedo, 0x1.fffffep-1f);
+                return takeSmooth(path, receiver, u) && survives(path, Effort::kDim, spare);
             }
             return false;
-        } else {
-            const DeltaBranch& branch = branches.pick(choice - material.smoothAlbedo);
-            recordBranch(path, point, branch, static_cast<double>(Branches::size(branch) / total));
-            path.throughput *= branch.weight * (total / Branches::size(branch));
-            takeBranch(path, point, branch,
-                       branches.chanceOf(material, point.wo, sameSide(point.wo, branch.wi)));
-            return survives(path, Effort::kDimBranch, spare);
         }
+        const DeltaBranch& branch = branches.pick(choice - material.smoothAlbedo);
+        recordBranch(path, point, branch, static_cast<double>(Branches::size(branch) / total));
+        path.throughput *= branch.weight * (total / Branches::size(branch));
+        takeBranch(path, point, branch,
+                   branches.chanceOf(material, point.wo, sameSide(point.wo, branch.wi)));
+        return survives(path, Effort::kDimBranch, spare);
+    }
+
+    /// A direction of the smooth part; the last of the numbers chooses its leaf. False: there is
+    /// none.
+    bool takeSmooth(Path& path, const Receiver& from, const SampleBlock& u) {
+        const SurfacePoint& point = from.point;
+        const CompiledMaterial& material = from.material;
+        const BsdfSample s =
+            sampleSmooth<F>(material, point.wo, {u.x, u.y, u.z}, u.w, point.eta, state_.work);
+        if (!(s.pdf > 0)) return false;
+        record<F>(state_, [&](PathRecord& r) {
+            path.vertex = r.leave(path.vertex, PathEvent::Smooth, s.f * (std::abs(s.wi.z) / s.pdf),
+                                  static_cast<double>(from.smoothChance));
+        });
+        const float drive = connectionDrive(path.throughput, material);
+        if constexpr (Does::kHighlights) path.drive = highlightDrive(path.throughput, material);
+        path.throughput *= s.f * (std::abs(s.wi.z) / (s.pdf * from.smoothChance));
+        path.pdf = static_cast<double>(s.pdf) * from.smoothChance;
+        path.from = point.position;
+        path.fromNormal = point.facingNormal();
+        path.step = from.step;
+        if constexpr (Does::kLightsMayBePassed) path.passedLights = {};
+        path.allLights = light_.sampleAll(path);
+        path.scattered = true;
+        if constexpr (has(F, Feature::Layers))
+            if (path.bounces == 0) path.shares = smoothShares(material, point.wo, s.wi, point.eta);
+        leave(path, point, s.wi, false);
+        if (!path.media.empty()) path.drive = 0;
+        if constexpr (Does::kConnects)
+            path.chain = ChainProgress::start(scene_, point.shape, path.media, path.pdf, drive);
+        return true;
     }
 
     /// Both ways, each with its whole weight, instead of a coin: one to its end, then the other
@@ -294,14 +185,14 @@ class PathTracer {
     /// `chance`: of this direction among all that the path could have taken.
     void takeBranch(Path& path, const SurfacePoint& point, const DeltaBranch& branch,
                     double chance) {
-        if constexpr (kConnects)
+        if constexpr (Does::kConnects)
             path.chain.advance(scene_, point, branch, chance, path.from, path.ray.direction);
         if constexpr (has(F, Feature::Layers))
             if (path.bounces == 0)
                 path.shares =
                     sharesOf(sameSide(point.wo, branch.wi) ? Lobe::Glossy : Lobe::Transmission);
         if (branch.straight) {
-            if constexpr (kLightsMayBePassed)
+            if constexpr (Does::kLightsMayBePassed)
                 if (const std::uint32_t light = point.instance(scene_).light;
                     light != ~0u && !path.passedLights.contains(light))
                     path.passedLights.cross(light);
@@ -343,123 +234,15 @@ class PathTracer {
                 sampler_.block(sampleBlock(SampleUse::Light, path.depth - 1, path.branch, 63)).x;
         if (number >= chance) return false;
         path.throughput /= chance;
-        record([&](PathRecord& r) {
+        record<F>(state_, [&](PathRecord& r) {
             r.vertices[static_cast<std::size_t>(path.vertex)].chance *= static_cast<double>(chance);
         });
         return true;
     }
 
-    /// Every light at the first vertex with a smooth part, see Effort::kAllLights; one by choice
-    /// elsewhere.
-    [[nodiscard]] bool sampleAll(const Path& path) const {
-        const bool wanted = Effort::kAllSized || (has(F, Feature::DeltaLights) &&
-                                                  has(scene_.features, Feature::DeltaLights));
-        return wanted && !path.scattered && scene_.lights.lights.size() <= Effort::kAllLights;
-    }
-
-    /// `u`: the numbers of the first light, or of the one that is chosen.
-    void addDirect(const Path& path, const HighlightStep& step, const SurfacePoint& point,
-                   const CompiledMaterial& material, float smoothChance, const SampleBlock& u) {
-        if (sampleAll(path)) {
-            for (std::uint32_t i = 0; i < scene_.lights.lights.size(); ++i) {
-                const bool drawn = i > 0 && !scene_.lights.lights[i].isDelta();
-                const SampleBlock own =
-                    drawn
-                        ? sampler_.block(sampleBlock(SampleUse::Light, path.depth, path.branch, i))
-                        : u;
-                addLight(path, step, point, material, smoothChance, i, 1.0, {own.x, own.y});
-            }
-        } else {
-            double chosen = 1;
-            std::uint32_t light = 0;
-            if (has(F, Feature::NoSkips) || scene_.lights.lights.size() > 1) {
-                ++state_.work[Work::LightChoices];
-                const LightChoice::Chosen choice = scene_.lights.choice.choose(
-                    point.position, point.facingNormal(), static_cast<double>(u.z));
-                light = choice.light;
-                chosen = choice.probability;
-                if (chosen == 0) return;
-            }
-            addLight(path, step, point, material, smoothChance, light, chosen, {u.x, u.y});
-        }
-    }
-
-    /// `step`: by which the path came to the point.
-    void addLight(const Path& path, const HighlightStep& step, const SurfacePoint& point,
-                  const CompiledMaterial& material, float smoothChance, std::uint32_t light,
-                  double chosen, const DVec2& u) {
-        Ray from{point.position, point.frame.n, point.shape, !point.outside};
-        ++state_.work[Work::LightSamples];
-        if (light == scene_.lights.environmentLight) ++state_.work[Work::MapLookups];
-        const LightSample s = sampleLight(scene_.lights, scene_.shapes, light, from, path.media, u);
-        if (!(s.pdf > 0) || isBlack(s.radiance)) return;
-        const Vec3 wi = toFloat(point.frame.toLocal(s.wi));
-        const BsdfSample f = evalSmooth<F>(material, point.wo, wi, point.eta, state_.work);
-        const double density = chosen * s.pdf;
-        double weight = shareOf(step, light);
-        if (!scene_.lights.lights[light].isDelta()) {
-            ++state_.work[Work::MisWeights];
-            weight *= Heuristic::lightWeight(density, static_cast<double>(f.pdf) * smoothChance);
-        }
-        addSeen(path, point, material, light, s, f, weight / density);
-    }
-
-    /// Light from a place or a direction on a light, if nothing is in between; `f`: what the
-    /// surface makes of it, `factor`: its weight over its density.
-    void addSeen(const Path& path, const SurfacePoint& point, const CompiledMaterial& material,
-                 std::uint32_t light, const LightSample& s, const BsdfSample& f, double factor) {
-        if (isBlack(f.f)) {
-            if constexpr (!has(F, Feature::NoSkips)) return;
-            ++state_.work[Work::BlackShadowRays];
-        }
-        const Ray ray = point.ray(s.wi, f.wi.z < 0);
-        const Rgb share = shadowTransmittance<F>(
-            state_, ray, mediaBeyond<F>(state_, point, path.media, f.wi),
-            {light, s.distance, s.shape}, scene_.settings.maxDepth - path.depth - 1, false);
-        if (isBlack(share)) return;
-        const Rgb value = path.throughput * f.f * s.radiance * share *
-                          static_cast<float>(factor * static_cast<double>(std::abs(f.wi.z)));
-        sum_ += value;
-        state_.addToGroup(scene_.lights.lights[light].group, value);
-        record([&](PathRecord& r) {
-            r.add(path.vertex, scene_, PathLight::Kind::Direct, light, share, value);
-        });
-        if constexpr (has(F, Feature::Layers))
-            state_.layers->add(
-                path.bounces == 0 ? smoothShares(material, point.wo, f.wi, point.eta) : path.shares,
-                path.bounces == 0, value);
-    }
-
-    [[gnu::noinline]] void addConnections(const Path& path, const SurfacePoint& point,
-                                          const CompiledMaterial& material, float smoothChance,
-                                          float number) {
-        const ConnectionVertex vertex{
-            point,           material,     path.media,
-            path.throughput, smoothChance, number,
-            path.depth,      path.branch,  Effort::kMostSplits - path.splits};
-        const auto weight = [](double light, double bsdf) {
-            return Heuristic::lightWeight(light, bsdf);
-        };
-        const auto take = [&](const Connection& found) {
-            sum_ += found.value;
-            state_.addToGroup(scene_.lights.lights[found.light].group, found.value);
-            record([&](PathRecord& r) {
-                r.add(path.vertex, scene_, PathLight::Kind::Direct, found.light, Rgb(1.0f),
-                      found.value);
-            });
-            if constexpr (has(F, Feature::Layers))
-                state_.layers->add(path.bounces == 0
-                                       ? smoothShares(material, point.wo, found.wi, point.eta)
-                                       : path.shares,
-                                   false, found.value);
-        };
-        Connections<F, decltype(weight), decltype(take)>(state_, sampler_, vertex, weight, take)
-            .run();
-    }
-
     /// The step by which the path came to the point, if a highlight could have drawn it.
     [[nodiscard]] HighlightStep lastStep(Path& path, const SurfacePoint& point) const {
-        if constexpr (kHighlights) {
+        if constexpr (Does::kHighlights) {
             const float drive = std::exchange(path.drive, 0.0f);
             const GlossySurface* surface = drive > 0 && path.ray.fromShape != point.shape
                                                ? scene_.highlights.find(point.shape)
@@ -469,75 +252,10 @@ class PathTracer {
         return {};
     }
 
-    [[gnu::noinline]] void addHighlights(const Path& path, const SurfacePoint& point,
-                                         const CompiledMaterial& material, float smoothChance,
-                                         float spare) {
-        // The glossy surface scatters too.
-        if (path.depth + 1 >= scene_.settings.maxDepth) return;
-        const HighlightVertex vertex{
-            point.position, point.shape, highlightDrive(path.throughput, material),
-            spare,          path.depth,  path.branch};
-        drawHighlights(
-            scene_, sampler_, vertex, state_.work,
-            [&](const GlossySurface& surface, std::uint32_t number, std::uint32_t light,
-                const HighlightAim& aim, double density) {
-                const DVec3 apart = aim.point - point.position;
-                const double distance = glm::length(apart);
-                const Vec3 wi = toFloat(point.frame.toLocal(apart / distance));
-                if (!mediaBeyond<F>(state_, point, path.media, wi).empty()) return;
-                const BsdfSample f = evalSmooth<F>(material, point.wo, wi, point.eta, state_.work);
-                if (isBlack(f.f)) return;
-                const Ray ray = point.ray(apart / distance, wi.z < 0);
-                ++state_.rays.scatter;
-                const ShapeHit hit = scene_.lists->closest(ray, {}, kInfinity, state_.work);
-                constexpr double kSame = 1e-6;
-                if (hit.shape != surface.shape || hit.face != aim.face ||
-                    !(std::abs(hit.t - distance) <= kSame * distance))
-                    return;
-                const double weight = Heuristic::lightWeight(
-                    density, static_cast<double>(f.pdf) * static_cast<double>(smoothChance));
-                Path next = path;
-                next.throughput *= f.f * static_cast<float>(static_cast<double>(std::abs(wi.z)) *
-                                                            weight / density);
-                if constexpr (has(F, Feature::Layers))
-                    if (next.bounces == 0)
-                        next.shares = smoothShares(material, point.wo, wi, point.eta);
-                next.media = {};
-                ++next.bounces;
-                ++next.depth;
-                addHighlight(next, surfacePoint(scene_, ray, hit, {}), light, number);
-            });
-    }
-
-    /// What a glossy surface that the path has come to sends back of one light: from a sample of
-    /// the light and one of the surface.
-    void addHighlight(const Path& path, const SurfacePoint& point, std::uint32_t light,
-                      std::uint32_t number) {
-        const CompiledMaterial& material = scene_.materials[point.instance(scene_).material];
-        state_.materials |= material.bit;
-        const auto block = [&](std::uint32_t index) {
-            return sampler_.block(
-                sampleBlock(SampleUse::Caustic, path.depth - 1, path.branch, index + number));
-        };
-        const SampleBlock forLight = block(33 + kHighlightNumbers);
-        addLight(path, {}, point, material, 1, light, 1, {forLight.x, forLight.y});
-        if (scene_.lights.lights[light].isDelta()) return;
-        const SampleBlock u = block(33 + 2 * kHighlightNumbers);
-        const BsdfSample f =
-            sampleSmooth<F>(material, point.wo, {u.x, u.y, u.z}, u.w, point.eta, state_.work);
-        if (!(f.pdf > 0)) return;
-        const Ray ray = point.ray(f.wi);
-        const LightSample s = lightAlong(scene_.lights, scene_.shapes, light, ray, path.media);
-        if (isBlack(s.radiance)) return;
-        const auto density = static_cast<double>(f.pdf);
-        addSeen(path, point, material, light, s, f,
-                Heuristic::bsdfWeight(density, s.pdf) / density);
-    }
-
     KernelState& state_;
     const RenderScene& scene_;
     const Sampler& sampler_;
-    Rgb sum_{0.0f};
+    PathRadiance<F, Heuristic, Effort> light_;
 };
 
 }  // namespace glint
