@@ -25,11 +25,6 @@ struct ChoicesOptions {
     std::string json, cache = usualCacheFolder().string();
 };
 
-struct PowerHeuristic {
-    static double share(double a, double b) { return 1 / (1 + (b / a) * (b / a)); }
-    static double lightWeight(double light, double bsdf) { return share(light, bsdf); }
-    static double bsdfWeight(double bsdf, double light) { return share(bsdf, light); }
-};
 /// Balance between densities of one magnitude; the much smaller one counts for nothing (Veach 1997,
 /// sec. 9.2.3).
 template <int kPercent>

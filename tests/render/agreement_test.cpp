@@ -64,15 +64,6 @@ using test::estimateOf;
 using test::LightOnly;
 using test::pixelMeans;
 
-struct PowerHeuristic {
-    static double lightWeight(double light, double bsdf) {
-        return light * light / (light * light + bsdf * bsdf);
-    }
-    static double bsdfWeight(double bsdf, double light) {
-        return bsdf * bsdf / (light * light + bsdf * bsdf);
-    }
-};
-
 template <class Heuristic>
 test::Estimate meanWith(const std::shared_ptr<const RenderScene>& scene) {
     return estimateOf(pixelMeans<Heuristic>(scene, test::fullRun() ? 1024 : 64));

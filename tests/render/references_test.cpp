@@ -22,14 +22,6 @@ namespace {
 
 constexpr const char* kScenes[] = {"room", "glass", "lights"};
 
-struct PowerHeuristic {
-    static double lightWeight(double light, double bsdf) {
-        return light * light / (light * light + bsdf * bsdf);
-    }
-    static double bsdfWeight(double bsdf, double light) {
-        return bsdf * bsdf / (light * light + bsdf * bsdf);
-    }
-};
 struct NoEffort : UsualEffort {
     static constexpr int kMostSplits = 0;
     static constexpr float kDim = 0, kDimBranch = 0;

@@ -15,14 +15,6 @@ namespace glint {
 
 namespace {
 
-/// The other estimator's way to share a light between its two techniques (Veach 1997, sec. 9.2.3,
-/// beta = 2).
-struct PowerHeuristic {
-    static double lightWeight(double light, double bsdf) {
-        return light * light / (light * light + bsdf * bsdf);
-    }
-    static double bsdfWeight(double bsdf, double light) { return lightWeight(bsdf, light); }
-};
 struct PlainEffort : UsualEffort {
     static constexpr int kMostSplits = 0;
     static constexpr float kDim = 0.05f, kDimBranch = 0.05f;

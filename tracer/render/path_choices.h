@@ -16,6 +16,15 @@ struct BalanceHeuristic {
     static double bsdfWeight(double bsdf, double light) { return bsdf / (light + bsdf); }
 };
 
+/// The other usual way (Veach 1997, sec. 9.2.3, beta = 2): for references and measurements.
+struct PowerHeuristic {
+    static double lightWeight(double light, double bsdf) { return share(light, bsdf); }
+    static double bsdfWeight(double bsdf, double light) { return share(bsdf, light); }
+
+  private:
+    static double share(double a, double b) { return 1 / (1 + (b / a) * (b / a)); }
+};
+
 /// How much a path may cost: changes noise and time, never the mean. Tests put others in its place.
 struct UsualEffort {
     /// Both ways are followed at a path's first smooth dielectrics, up to so many, not one by
