@@ -136,7 +136,7 @@ class PathTracer {
 
     /// A direction of the smooth part; the last of the numbers chooses its leaf. False: there is
     /// none.
-    bool takeSmooth(Path& path, const Receiver& from, const SampleBlock& u) {
+    [[gnu::always_inline]] bool takeSmooth(Path& path, const Receiver& from, const SampleBlock& u) {
         const SurfacePoint& point = from.point;
         const CompiledMaterial& material = from.material;
         const BsdfSample s =

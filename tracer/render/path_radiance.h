@@ -95,8 +95,8 @@ class PathRadiance {
     }
 
     /// Light straight from its sources. `u`: the numbers of the first light, or of the one that is
-    /// chosen.
-    void addDirect(const Receiver& at, const SampleBlock& u) {
+    /// chosen. Inline, which g++ would not make it: 1 % of the time of a render.
+    [[gnu::always_inline]] void addDirect(const Receiver& at, const SampleBlock& u) {
         if (sampleAll(at.path)) {
             for (std::uint32_t i = 0; i < scene_.lights.lights.size(); ++i) {
                 const bool drawn = i > 0 && !scene_.lights.lights[i].isDelta();
