@@ -42,7 +42,7 @@ void removeFiles(const fs::path& copy) {
 Status writeCopy(const fs::path& copy, const fs::path& original, Scene scene,
                  const fs::path& assetFolder) {
     const std::string origin = original.empty() ? std::string() : fs::absolute(original).string();
-    if (const Status written = writeWhole(besideCopy(copy, kOriginEnding), origin); !written)
+    if (Status written = writeWhole(besideCopy(copy, kOriginEnding), origin); !written)
         return written;
     return saveScene(withAssetsFrom(std::move(scene), assetFolder, {}), copy);
 }

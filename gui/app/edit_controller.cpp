@@ -190,7 +190,7 @@ void EditController::lookThrough(CameraId camera) {
     document_.edit(std::move(scene), tr("Look through camera"));
 }
 
-void EditController::fillAddMenu(QMenu* menu, std::function<QPointF()> placeAt) {
+void EditController::fillAddMenu(QMenu* menu, const std::function<QPointF()>& placeAt) {
     for (const std::string_view kind : AllShapes::kinds) {
         if (kind == Mesh::kind) continue;  // Needs a file: it comes by drop or open.
         QAction* action = menu->addAction(icon("shape-" + toQString(kind)), labelOf(kind));

@@ -44,7 +44,7 @@ class EditController : public QObject {
 
     /// Fills a menu with every shape and light; new things stand where `placeAt` says, in the
     /// view's pixels.
-    void fillAddMenu(QMenu* menu, std::function<QPointF()> placeAt);
+    void fillAddMenu(QMenu* menu, const std::function<QPointF()>& placeAt);
     void addShape(std::string_view kind, const QPointF& at);
     void addBallLight(const QPointF& at);
     void addLight(std::string_view kind, const QPointF& at);

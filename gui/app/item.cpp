@@ -318,7 +318,8 @@ CopiedItems duplicated(Scene scene, const std::vector<Item>& items) {
 }
 
 Scene removed(Scene scene, const std::vector<Item>& items) {
-    scene = withoutObjects(std::move(scene), objectsWithin(scene, items));
+    const std::vector<ObjectId> objects = objectsWithin(scene, items);
+    scene = withoutObjects(std::move(scene), objects);
     std::vector<GroupId> groups = groupsWithin(scene, groupsAmong(items));
     std::reverse(groups.begin(), groups.end());
     for (const GroupId id : groups) scene.groups.erase(id);

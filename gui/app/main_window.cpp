@@ -354,7 +354,7 @@ void MainWindow::connectDisk() {
 void MainWindow::offerRecovery() {
     const auto leftovers = autosave_->leftovers();
     if (leftovers.empty()) return;
-    const Autosave::Leftover found = leftovers.front();
+    const Autosave::Leftover& found = leftovers.front();
     const QString name =
         found.original.empty() ? tr("an untitled scene") : pathText(found.original.filename());
     const auto recover = [this, found] {

@@ -81,7 +81,7 @@ std::vector<MaterialPreset> readPresets() {
     QFile file(":/materials/presets.json");
     GLINT_CHECK(file.open(QIODevice::ReadOnly));
     std::vector<MaterialPreset> out;
-    for (const QJsonValue& entry : QJsonDocument::fromJson(file.readAll())["presets"].toArray())
+    for (const auto& entry : QJsonDocument::fromJson(file.readAll())["presets"].toArray())
         out.push_back(presetOf(entry.toObject()));
     return out;
 }

@@ -61,7 +61,7 @@ void PictureControls::copyPicture() {
     const SessionFrame* frame = renderer_.frame();
     if (!frame || frame->width == 0) return;
     const QImage image(reinterpret_cast<const uchar*>(frame->pixels.data()), frame->width,
-                       frame->height, frame->width * 4, QImage::Format_RGB32);
+                       frame->height, qsizetype{4} * frame->width, QImage::Format_RGB32);
     QGuiApplication::clipboard()->setImage(image.copy());
 }
 

@@ -28,7 +28,7 @@ namespace glint {
 /// fov").
 [[nodiscard]] inline QString labelOf(std::string_view name) {
     QString text = toQString(name);
-    if (const QString known = QCoreApplication::translate("Field", text.toUtf8().constData());
+    if (QString known = QCoreApplication::translate("Field", text.toUtf8().constData());
         known != text)
         return known;
     // The unit stands behind the number.

@@ -37,7 +37,8 @@ struct Range {
 
 /// Visits of blocks and nodes cost alike; this is what fewer shapes than a block cost too.
 double blocks(std::uint32_t count) {
-    return static_cast<double>((count + kBlockSize - 1) / kBlockSize);
+    const std::uint32_t whole = (count + kBlockSize - 1) / kBlockSize;
+    return whole;
 }
 
 /// A range that shapes are added to one by one.

@@ -143,7 +143,7 @@ struct BlockTree {
     const void*
         ballShapes;  ///< what decides the balls of block after block, in kBallShapeBytes each
 };
-inline constexpr std::size_t kBallShapeBytes = 40 * kBlockSize;
+inline constexpr std::size_t kBallShapeBytes = std::size_t{40} * kBlockSize;
 
 /// What a walk visited.
 struct WalkCounts {

@@ -153,7 +153,7 @@ class Film {
                static_cast<std::size_t>(x / kTile);
     }
     static std::size_t placeOf(int x, int y) {
-        return static_cast<std::size_t>(y % kTile * kTile + x % kTile);
+        return static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile);
     }
     [[nodiscard]] const Sums* find(int x, int y) const {
         const Tile* tile = tiles_[tileOf(x, y)].get();

@@ -52,7 +52,8 @@ struct TileErrors {
 
     /// The tile's bound at a pixel.
     [[nodiscard]] std::optional<float> at(int x, int y) const {
-        const auto i = static_cast<std::size_t>(y / kTile * columns + x / kTile);
+        const auto i = static_cast<std::size_t>(y / kTile) * static_cast<std::size_t>(columns) +
+                       static_cast<std::size_t>(x / kTile);
         if (x < 0 || y < 0 || x / kTile >= columns || i >= bounds.size() || bounds[i] < 0)
             return std::nullopt;
         return bounds[i];

@@ -18,7 +18,7 @@ class RoundView {
   public:
     RoundView(const Viewpoint& view, const Side& side, std::optional<MantleView> mantle,
               std::optional<DiskView> face)
-        : view_(view), side_(side), mantle_(std::move(mantle)), face_(std::move(face)) {
+        : view_(view), side_(side), mantle_(mantle), face_(face) {
         if (mantle_) {
             mantle_->weigh([&](const MantleView::Generator& line) { return side_.width(line); });
             ofSide_ = mantle_->solidAngle();
