@@ -26,7 +26,9 @@ class ClassicTracer {
         if constexpr (has(F, Feature::Media)) media = mediaAt(scene_, cameraRay.origin);
         ++state_.rays.primary;
         Branch first{cameraRay, media, Rgb(1.0f), 1.0f, 0, 1, true, true};
-        record([&](PathRecord& r) { first.vertex = r.leave(-1, PathEvent::Camera, Rgb(1.0f), 1); });
+        record<F>(state_, [&](PathRecord& r) {
+            first.vertex = r.leave(-1, PathEvent::Camera, Rgb(1.0f), 1);
+        });
         trace(first);
         return sum_;
     }
@@ -46,20 +48,15 @@ class ClassicTracer {
         int vertex = -1;  ///< the record's (layers only)
     };
 
-    /// Tells the record, if one is kept (layers only).
-    template <class Tell>
-    void record(Tell&& tell) {
-        if constexpr (has(F, Feature::Layers))
-            if (state_.record) tell(*state_.record);
-    }
-
     /// Light found at the end of the branch; `light` is the source if it was sampled, of which
     /// `visible` comes through.
     void add(const Branch& branch, PathLight::Kind kind, std::uint8_t group, const Rgb& value,
              std::uint32_t light = ~0u, const Rgb& visible = Rgb(1.0f)) {
         sum_ += value;
         state_.addToGroup(group, value);
-        record([&](PathRecord& r) { r.add(branch.vertex, scene_, kind, light, visible, value); });
+        record<F>(state_, [&](PathRecord& r) {
+            r.add(branch.vertex, scene_, kind, light, visible, value);
+        });
     }
 
     /// Notes what the branch has met. Dim branches, which are there by chance, count for nothing.
@@ -86,7 +83,7 @@ class ClassicTracer {
             if (!branch.media.empty())
                 branch.weight *= transmittance<F>(
                     mediumOf(scene_, fillingShape(scene_, branch.media)), hit.t, state_.work);
-        record([&](PathRecord& r) {
+        record<F>(state_, [&](PathRecord& r) {
             r.travel(branch.vertex, hit.t, mediumOf(scene_, fillingShape(scene_, branch.media)));
         });
         if (!hit.found()) {
@@ -105,7 +102,8 @@ class ClassicTracer {
                            static_cast<std::uint32_t>(2 * point.face) + (point.outside ? 1 : 0));
         if constexpr (has(F, Feature::Layers))
             if (branch.depth == 0) describeSurface(scene_, point, *state_.layers, state_.work);
-        record([&](PathRecord& r) { r.arrive(branch.vertex, scene_, point, branch.weight); });
+        record<F>(state_,
+                  [&](PathRecord& r) { r.arrive(branch.vertex, scene_, point, branch.weight); });
         if (branch.seesLights) addEmission(branch, point);
         if (branch.depth >= scene_.settings.maxDepth) return;
         if (material.hasSmooth()) addDirect(branch, point, material);
@@ -223,7 +221,7 @@ class ClassicTracer {
             next.importance = state_.dim;
         }
         ++state_.rays.scatter;
-        record([&](PathRecord& r) {
+        record<F>(state_, [&](PathRecord& r) {
             next.vertex = r.leave(branch.vertex, eventOf(point, way), way.weight,
                                   static_cast<double>(chance));
         });

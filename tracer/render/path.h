@@ -5,6 +5,8 @@
 // features; what a set lacks is not compiled.
 #pragma once
 
+#include <utility>
+
 #include "tracer/render/camera_hit.h"
 #include "tracer/render/path_radiance.h"
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cmath>
-#include <utility>
 
 #include "tracer/render/connections.h"
 #include "tracer/render/highlights.h"
@@ -27,13 +26,6 @@ struct PathWork {
     static constexpr bool kLightsMayBePassed =
         has(F, Feature::Straight) && has(F, Feature::AreaLights);
 };
-
-/// Tells the record of paths, if one is kept (layers only).
-template <Features F, class Tell>
-void record(KernelState& state, Tell&& tell) {
-    if constexpr (has(F, Feature::Layers))
-        if (state.record) tell(*state.record);
-}
 
 /// A surface on a path that light is sampled for.
 struct Receiver {

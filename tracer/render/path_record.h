@@ -68,6 +68,13 @@ struct PathRecord {
 /// contributions add up to it but for the rounding of the sum (1e-6 of it).
 [[nodiscard]] PathRecord recordSample(const RenderScene& scene, const SamplePlace& place);
 
+/// Tells the state's record, if one is kept (layers only).
+template <Features F, class Tell>
+void record(KernelState& state, Tell&& tell) {
+    if constexpr (has(F, Feature::Layers))
+        if (state.record) tell(*state.record);
+}
+
 /// What a vertex is and adds, for a person: texts for the columns of a table.
 struct PathRow {
     int vertex = 0, depth = 0;
