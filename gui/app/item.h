@@ -18,7 +18,7 @@ enum class ItemKind : std::uint8_t { Group, Object, Light, Camera };
 struct Item {
     ItemKind kind = ItemKind::Object;
     std::uint32_t id = 0;
-    auto operator<=>(const Item&) const = default;  // NOLINT(modernize-use-nullptr): its own 0
+    auto operator<=>(const Item&) const = default;  // NOLINT(modernize-use-nullptr): false alarm
 
     static Item of(ObjectId id) { return {ItemKind::Object, id.value}; }
     static Item of(GroupId id) { return {ItemKind::Group, id.value}; }

@@ -12,7 +12,7 @@ template <class Tag>
 struct Id {
     std::uint32_t value = 0;
     explicit operator bool() const { return value != 0; }
-    auto operator<=>(const Id&) const = default;  // NOLINT(modernize-use-nullptr): its own 0
+    auto operator<=>(const Id&) const = default;  // NOLINT(modernize-use-nullptr): false alarm
 };
 
 using ObjectId = Id<struct ObjectTag>;
