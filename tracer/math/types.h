@@ -46,6 +46,10 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 [[nodiscard]] inline Vec3 absolute(const Vec3& v) {
     return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
 }
+/// Of a point from the y axis. 0 below 1e-154: a place of no area on anything of size 1.
+[[nodiscard]] inline double axisDistance(const DVec3& p) {
+    return std::sqrt(p.x * p.x + p.z * p.z);
+}
 /// At least the largest absolute coordinate.
 [[nodiscard]] inline double coordinateSum(const DVec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);

@@ -33,18 +33,18 @@ struct CanonicalCone {
         return p.y > -1 && p.y < 1 && p.x * p.x + p.z * p.z < r * r;
     }
     [[nodiscard]] int nearestFace(const DVec3& p) const {
-        const double toSide = std::abs(std::hypot(p.x, p.z) - (1 - p.y) / 2) * kMantleCosine;
+        const double toSide = std::abs(axisDistance(p) - (1 - p.y) / 2) * kMantleCosine;
         return std::abs(p.y + 1) < toSide ? 1 : 0;
     }
     [[nodiscard]] DVec3 project(const DVec3& p, int face) const {
-        const double r = std::hypot(p.x, p.z);
+        const double r = axisDistance(p);
         if (face == 1) return r > 1 ? DVec3(p.x / r, -1, p.z / r) : DVec3(p.x, -1, p.z);
         const double y = std::clamp(p.y, -1.0, 1.0), s = r > 0 ? (1 - y) / 2 / r : 0;
         return {p.x * s, y, p.z * s};
     }
     [[nodiscard]] DVec3 normal(const DVec3& p, int face) const {
         if (face == 1) return {0, -1, 0};
-        const double r = std::hypot(p.x, p.z);
+        const double r = axisDistance(p);
         return r > 0 ? DVec3(p.x / r, 0.5, p.z / r) : DVec3(0, 1, 0);
     }
     /// Derivative of normal() by p, along the surface.
@@ -103,7 +103,7 @@ struct CanonicalCone {
     static RoundView<Side> look(const Viewpoint& view) {
         const DVec3 toApex = view.toWorld({0, 1, 0});
         const double distance = glm::length(toApex);
-        const double r = std::hypot(view.origin.x, view.origin.z), aboveApex = view.origin.y - 1;
+        const double r = axisDistance(view.origin), aboveApex = view.origin.y - 1;
         // A line of the mantle at the angle phi from the point's own is in view if r cos(phi) +
         // aboveApex / 2 > 0.
         std::optional<MantleView> mantle;

@@ -73,7 +73,7 @@ template <class Shape>
 /// Derivative by p of the unit vector away from the y axis.
 [[nodiscard]] inline DMat3 radialSlope(const DVec3& p) {
     DMat3 out(0.0);
-    const double r = std::sqrt(p.x * p.x + p.z * p.z);
+    const double r = axisDistance(p);
     if (!(r > 0)) return out;
     const double x = p.x / r, z = p.z / r;
     out[0] = {z * z / r, 0, -x * z / r};

@@ -33,11 +33,11 @@ struct CanonicalCylinder {
         return p.x * p.x + p.z * p.z < 1 && std::abs(p.y) < 1;
     }
     [[nodiscard]] int nearestFace(const DVec3& p) const {
-        if (std::hypot(p.x, p.z) >= std::abs(p.y)) return 0;
+        if (axisDistance(p) >= std::abs(p.y)) return 0;
         return p.y > 0 ? 1 : 2;
     }
     [[nodiscard]] DVec3 project(const DVec3& p, int face) const {
-        const double r = std::hypot(p.x, p.z);
+        const double r = axisDistance(p);
         if (face == 0)
             return r > 0 ? DVec3(p.x / r, std::clamp(p.y, -1.0, 1.0), p.z / r) : DVec3(1, p.y, 0);
         const double s = r > 1 ? 1 / r : 1;
@@ -90,7 +90,7 @@ struct CanonicalCylinder {
     };
     static RoundView<Side> look(const Viewpoint& view) {
         const Side side{view, glm::length(view.worldFromLocal[1])};
-        const double r = std::hypot(view.origin.x, view.origin.z);
+        const double r = axisDistance(view.origin);
         std::optional<MantleView> mantle;
         if (r > 1 + kSkin)
             mantle.emplace(view.worldFromLocal[1] / side.axisLength, view.toWorld(DVec3(0.0)), view,

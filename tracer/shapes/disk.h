@@ -20,7 +20,7 @@ struct CanonicalDisk {
     }
     [[nodiscard]] bool inside(const DVec3&) const { return false; }
     [[nodiscard]] DVec3 project(const DVec3& p, int) const {
-        const double r = std::hypot(p.x, p.z);
+        const double r = axisDistance(p);
         return r > 1 ? DVec3(p.x / r, 0, p.z / r) : DVec3(p.x, 0, p.z);
     }
     [[nodiscard]] DVec3 normal(const DVec3&, int) const { return {0, 1, 0}; }

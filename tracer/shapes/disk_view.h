@@ -15,7 +15,7 @@ class DiskView {
   public:
     DiskView(const Viewpoint& view, double y) : view_(view), y_(y) {
         const DVec3& o = view.origin;
-        const double r = std::hypot(o.x, o.z);
+        const double r = axisDistance(o);
         toFoot_ = r > 0 ? DVec2(o.x / r, o.z / r) : DVec2(1, 0);
         const DMat3& m = view.worldFromLocal;
         const DVec3 sweep = toFoot_.x * m[0] + toFoot_.y * m[2],

@@ -29,7 +29,7 @@ class MantleView {
           center_(flat(circleCenter)),
           u_(flat(view.worldFromLocal[0])),
           v_(flat(view.worldFromLocal[2])) {
-        const double r = std::hypot(view.origin.x, view.origin.z);
+        const double r = axisDistance(view.origin);
         const double sine = r > 0 ? view.origin.x / r : 0, cosine = r > 0 ? view.origin.z / r : 1;
         middle_ = {sine, cosine};
         if (halfAngle >= kPi) {

@@ -32,7 +32,7 @@ struct CanonicalTorus {
         return select(crossings(o, d / length), length, start);
     }
     [[nodiscard]] bool inside(const DVec3& p) const {
-        const double r = std::hypot(p.x, p.z) - 1;
+        const double r = axisDistance(p) - 1;
         return r * r + p.y * p.y < ratio * ratio;
     }
     [[nodiscard]] DVec3 project(const DVec3& p, int) const {
@@ -48,7 +48,7 @@ struct CanonicalTorus {
     /// u: once round the y axis, 1/2 at +z; v: round the tube, 1/2 outermost and rising upwards.
     [[nodiscard]] DVec2 uv(const DVec3& p, int) const {
         return {std::atan2(p.x, p.z) / (2 * kPi) + 0.5,
-                std::atan2(p.y, std::hypot(p.x, p.z) - 1) / (2 * kPi) + 0.5};
+                std::atan2(p.y, axisDistance(p) - 1) / (2 * kPi) + 0.5};
     }
 
     /// Towards a point of the surface, uniform in both angles. Every direction drawn reaches the
@@ -70,14 +70,14 @@ struct CanonicalTorus {
             if (!(hits[i] > 0)) continue;
             const DVec3 p = project(o + hits[i] * d, 0);
             const double cosine = std::abs(glm::dot(d, normal(p, 0))) / ratio;
-            sum += hits[i] * hits[i] / (cosine * std::hypot(p.x, p.z));
+            sum += hits[i] * hits[i] / (cosine * axisDistance(p));
         }
         return view.worldDensity(d, sum / (4 * kPi * ratio * tubeHalfAngle()));
     }
 
   private:
     static DVec3 ring(const DVec3& p) {
-        const double r = std::hypot(p.x, p.z);
+        const double r = axisDistance(p);
         return r > 0 ? DVec3(p.x / r, 0, p.z / r) : DVec3(1, 0, 0);
     }
     /// The surface goes round the tube from minus to plus this angle; all the way unless the tube
@@ -208,7 +208,7 @@ struct CanonicalTorus {
     [[nodiscard]] Crossing fromSurface(const DVec3& o, const DVec3& unit, bool entering) const {
         const double beta = glm::dot(o, unit), gamma = o.x * unit.x + o.z * unit.z,
                      w = unit.x * unit.x + unit.z * unit.z;
-        const double m = glm::dot(o, o), k = m + 1 - ratio * ratio, r0 = std::hypot(o.x, o.z),
+        const double m = glm::dot(o, o), k = m + 1 - ratio * ratio, r0 = axisDistance(o),
                      reach = 1 + ratio;
         const double end =
             std::sqrt(std::max(0.0, beta * beta - (m - reach * reach))) - beta + ratio;
