@@ -151,6 +151,21 @@ TEST(EditPlan, GlassForClayIsANewStructure) {
     EXPECT_FALSE(sameStructure(*before, *stage.b.compile()));
 }
 
+/// Shadow rays have not looked at clear glass.
+TEST(EditPlan, ClearShadowsThatEndAreANewStructure) {
+    Stage stage;
+    stage.b.scene().render.integrator = Integrator::Classic;
+    stage.b.scene().render.transparentShadows = true;
+    const auto before = stage.b.compile();
+    Material material = stage.b.scene().materials.at(stage.glass);
+    std::get<Glass>(material.value).ior.value = 1.7;
+    stage.b.scene().materials.set(stage.glass, material);
+    EXPECT_TRUE(sameStructure(*before, *stage.b.compile()));
+    std::get<Glass>(material.value).absorption.value = {1, 0, 0};
+    stage.b.scene().materials.set(stage.glass, material);
+    EXPECT_FALSE(sameStructure(*before, *stage.b.compile()));
+}
+
 /// Whatever field of a document changes, a plan other than Restart is one of what the field is
 /// known for.
 TEST(EditPlan, RandomDocumentsKeepOnlyThemselves) {

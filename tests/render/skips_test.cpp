@@ -48,6 +48,15 @@ std::vector<std::shared_ptr<const RenderScene>> scenes() {
     add(balls.scene(), {});
     for (int i = 0; i < 200; ++i) balls.object(Sphere{0.1}, {}, {i % 20 - 10, 0, i / 20 - 10});
     add(balls.scene(), {});
+    test::SceneBuilder glass;
+    glass.object(Plane{}, glass.material(Diffuse{}));
+    glass.object(Sphere{1}, glass.material(Glass{}), {0, 1, 0});
+    glass.object(Box{{0.4, 0.4, 0.4}}, glass.material(Diffuse{}), {0.2, 1, 0});
+    glass.pointLight({2, 5, 2}, {30, 30, 30});
+    glass.camera({0, 3, 6}, {0, 0.5, 0}, 40);
+    glass.scene().render.integrator = Integrator::Classic;
+    glass.scene().render.transparentShadows = true;
+    add(glass.scene(), {});
     return out;
 }
 

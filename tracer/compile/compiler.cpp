@@ -41,6 +41,7 @@ class Compiler {
         addLightBuffers();
         findPassableGlass();
         findFeatures();
+        findClearShadows();
         setView(*out_, scene_);
         warnOfSettings();
         compiled_.scene = std::move(out_);
@@ -393,6 +394,17 @@ class Compiler {
         add(Feature::Sky, !out_->lights.environment.isBlack());
         add(Feature::Casters, !out_->casters.empty());
         add(Feature::Highlights, !out_->highlights.empty());
+    }
+
+    /// Lamps that are dielectrics themselves are met by the media's rules.
+    void findClearShadows() {
+        out_->clearShadows =
+            scene_.render.transparentShadows &&
+            std::ranges::all_of(out_->shapes, [&](const ShapeInstance& shape) {
+                const CompiledMaterial& material = out_->materials[shape.material];
+                return shape.dielectric ? isBlack(material.medium.absorption) && shape.light == ~0u
+                                        : isBlack(material.straight);
+            });
     }
 
     void warnOfSettings() {

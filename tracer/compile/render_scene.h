@@ -94,6 +94,8 @@ struct RenderScene {
     FilmSettings film;
     RenderSettings settings;
     Features features = 0;
+    bool clearShadows = false;    ///< shadow rays pass all dielectrics as if there were none, and
+                                  ///< nothing else
     std::size_t lightGroups = 1;  ///< number of groups that lights belong to
 };
 

@@ -127,12 +127,14 @@ struct ShapeLists::Nearest {
 struct ShapeLists::Any {
     double tMax;
     std::uint32_t ignored;
+    bool passesMedia;
     bool hit = false;
     [[nodiscard]] double limit() const { return tMax; }
     [[nodiscard]] bool done() const { return hit; }
     template <class Shape>
     void decide(const Shape& shape, const Ray& ray, Start start) {
-        hit = shape.index != ignored && firstHit(shape, ray, start).t < tMax;
+        hit = shape.index != ignored && !(passesMedia && shape.dielectric) &&
+              firstHit(shape, ray, start).t < tMax;
     }
 };
 
@@ -384,8 +386,9 @@ ShapeHit ShapeLists::closest(const Ray& ray, const MediaStack& media, double tMa
 }
 
 bool ShapeLists::occluded(const Ray& ray, const MediaStack& media, double tMax,
-                          std::uint32_t ignored, WorkCounts& work, const FewShapes* few) const {
-    Any question{tMax, ignored};
+                          std::uint32_t ignored, WorkCounts& work, const FewShapes* few,
+                          bool passesMedia) const {
+    Any question{tMax, ignored, passesMedia};
     ask(ray, media, question, work, few);
     return question.hit;
 }

@@ -127,10 +127,11 @@ class ShapeLists {
                                    WorkCounts& work, const FewShapes* few = nullptr) const;
     [[nodiscard]] ShapeHit closest(const Ray& ray, const MediaStack& media,
                                    double tMax = kInfinity) const;
-    /// Whether anything but `ignored` is hit before tMax. `few` as in closest().
+    /// Whether anything but `ignored` is hit before tMax; with `passesMedia`, anything but
+    /// dielectrics. `few` as in closest().
     [[nodiscard]] bool occluded(const Ray& ray, const MediaStack& media, double tMax,
                                 std::uint32_t ignored, WorkCounts& work,
-                                const FewShapes* few = nullptr) const;
+                                const FewShapes* few = nullptr, bool passesMedia = false) const;
     [[nodiscard]] bool occluded(const Ray& ray, const MediaStack& media, double tMax,
                                 std::uint32_t ignored) const;
 

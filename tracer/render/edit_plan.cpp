@@ -150,7 +150,8 @@ Scene withLightsOf(const Scene& traced, Scene next) {
 }
 
 bool sameStructure(const RenderScene& before, const RenderScene& after) {
-    if (before.shapes.size() != after.shapes.size()) return false;
+    if (before.shapes.size() != after.shapes.size() || before.clearShadows != after.clearShadows)
+        return false;
     for (std::size_t i = 0; i < before.shapes.size(); ++i) {
         const ShapeInstance &a = before.shapes[i], &b = after.shapes[i];
         if (a.object != b.object || a.dielectric != b.dielectric ||

@@ -59,16 +59,17 @@ template <Features F>
         if (toLight) return point.hidden ? Rgb(0.0f) : share;
         const bool tints = tinted && instance.dielectric;
         const CompiledMaterial& material = scene.materials[instance.material];
-        // Of an opaque surface nothing counts but that it is one: edits that change this start
-        // anew.
-        if (tints || !isBlack(material.straight)) state.materials |= material.bit;
+        // Of an opaque surface nothing counts but that it is one, and of a clear one that it is
+        // clear: edits that change this start anew.
+        const bool isClear = tints && scene.clearShadows;
+        if (!isClear && (tints || !isBlack(material.straight))) state.materials |= material.bit;
         if (!tints && !point.hidden) {
             if (passes-- <= 0) return Rgb(0.0f);
             if (isBlack(material.straight)) return Rgb(0.0f);
             share *= straightWeight(material, point.wo, point.eta, state.work);
             if (isBlack(share)) return share;
         }
-        state.follow(point.shape * 16 + static_cast<std::uint32_t>(point.face));
+        if (!isClear) state.follow(point.shape * 16 + static_cast<std::uint32_t>(point.face));
         if (instance.dielectric) media.cross(hit.shape);
         tMax -= hit.t;
         ray = point.ray(ray.direction, point.outside);
@@ -92,10 +93,12 @@ template <Features F>
     if (target.shape != kNoShape) tMax -= kLampRange * (tMax + coordinateSum(start.origin));
     ++state.rays.shadow;
     const bool opaque = !has(F, Feature::NoSkips) && !has(scene.features, Feature::Straight);
-    if ((has(F, Feature::Straight) && !opaque) || tinted)
+    const bool isClear = !has(F, Feature::NoSkips) && tinted && scene.clearShadows;
+    if (((has(F, Feature::Straight) && !opaque) || tinted) && !isClear)
         return transmittanceThrough<F>(state, start, around, target.shape, tMax, few, passes,
                                        tinted);
-    if (scene.lists->occluded(start, around, tMax, target.shape, state.work, few)) return Rgb(0.0f);
+    if (scene.lists->occluded(start, around, tMax, target.shape, state.work, few, isClear))
+        return Rgb(0.0f);
     if constexpr (has(F, Feature::Media))
         return transmittance<F>(mediumOf(scene, fillingShape(scene, around)), tMax, state.work);
     return Rgb(1.0f);

@@ -54,7 +54,7 @@ constexpr Skip kSkips[] = {
      [](const RenderScene&) { return true; }},
     {"opaque surfaces: shadow rays end at any hit", Work::ShadowSteps,
      [](const RenderScene& s) {
-         return lacks<Feature::Straight>(s) && !s.settings.transparentShadows;
+         return s.clearShadows || (lacks<Feature::Straight>(s) && !s.settings.transparentShadows);
      }},
     {"no media: none tracked", Work::MediaSteps, lacks<Feature::Media>},
     {"clear media: no exponentials", Work::Exponentials, absorbsNothing},
