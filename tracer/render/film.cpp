@@ -179,7 +179,8 @@ std::size_t Film::bytes() const {
 Image Film::image() const {
     Image out{width_, height_, {}};
     out.rgb.resize(3 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-    paint({0, 0, width_, height_}, out);
+    WorkerPool pool(1);
+    paint({0, 0, width_, height_}, pool, out);
     return out;
 }
 
@@ -197,16 +198,20 @@ void Film::means(int x, int y, std::span<Rgb> out) const {
     }
 }
 
-void Film::paint(const PixelRect& rect, Image& picture) const {
-    std::vector<Rgb> row(static_cast<std::size_t>(rect.width));
-    for (int y = rect.y; y < rect.y + rect.height; ++y) {
-        means(rect.x, y, row);
-        float* to =
-            &picture.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                              static_cast<std::size_t>(rect.x))];
-        for (const Rgb& mean : row)
-            for (const float value : {mean.x, mean.y, mean.z}) *to++ = value;
-    }
+void Film::paint(const PixelRect& rect, WorkerPool& pool, Image& picture) const {
+    const int pieces = (rect.height + kTile - 1) / kTile;
+    pool.run(pieces, [&](int, int piece) {
+        std::vector<Rgb> row(static_cast<std::size_t>(rect.width));
+        const int end = std::min(rect.height, (piece + 1) * kTile);
+        for (int y = rect.y + piece * kTile; y < rect.y + end; ++y) {
+            means(rect.x, y, row);
+            float* to =
+                &picture.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                                  static_cast<std::size_t>(rect.x))];
+            for (const Rgb& mean : row)
+                for (const float value : {mean.x, mean.y, mean.z}) *to++ = value;
+        }
+    });
 }
 
 }  // namespace glint

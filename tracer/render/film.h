@@ -127,7 +127,7 @@ class Film {
     /// Means of the pixels of row y from x on.
     void means(int x, int y, std::span<Rgb> out) const;
     /// Puts the means of a rectangle into a picture of the film's size.
-    void paint(const PixelRect& rect, Image& picture) const;
+    void paint(const PixelRect& rect, WorkerPool& pool, Image& picture) const;
 
   private:
     static constexpr std::size_t kPixels = static_cast<std::size_t>(kTile) * kTile;

@@ -73,7 +73,7 @@ class HeadlessRender {
             complete = pass(scheduler);
             report();
         }
-        film_.paint(rect_, picture);
+        film_.paint(rect_, pool_, picture);
         return finish(stopped || (!complete && !timeIsUp()));
     }
 
