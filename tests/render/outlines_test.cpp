@@ -32,6 +32,15 @@ SceneBuilder room() {
     return b;
 }
 
+/// The room with glass, of which most ways are dim.
+SceneBuilder glassRoom() {
+    SceneBuilder b = room();
+    const MaterialId glass = b.material(Glass{});
+    b.object(Sphere{0.6}, glass, {0.9, 1.6, 1.2});
+    b.object(Box{{0.7, 0.7, 0.7}}, glass, {-0.3, 0.4, 2.2});
+    return b;
+}
+
 /// Root mean square difference of the luminance over its mean.
 double differenceOf(const Image& image, const Image& exact) {
     double squares = 0, light = 0;
@@ -114,8 +123,32 @@ TEST(Outlines, ATorusBeforeItselfHasOutlines) {
     EXPECT_LT(static_cast<double>(told.rays.primary), 8.0 * 64 * 48);
 }
 
+TEST(Outlines, DimWaysOfGlassMakeLittleNoiseAndNoBias) {
+    SceneBuilder b = glassRoom();
+    b.scene().render.spp = 2048;
+    const Image exact = b.render().beauty;
+    b.scene().render.errorPercent = 1;
+    double off = 0;
+    constexpr int kSeeds = 6;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        b.scene().render.seed = seed;
+        const Rendering told = b.render();
+        EXPECT_LT(100 * differenceOf(told.beauty, exact), 1.2);
+        EXPECT_LT(static_cast<double>(told.rays.primary), 12.0 * 96 * 72);
+        double sum = 0, should = 0;
+        for (std::size_t i = 0; i < exact.rgb.size(); ++i) {
+            EXPECT_GE(told.beauty.rgb[i], 0.0f);
+            sum += static_cast<double>(told.beauty.rgb[i]);
+            should += static_cast<double>(exact.rgb[i]);
+        }
+        off += (sum / should - 1) / kSeeds;
+    }
+    EXPECT_NEAR(off, 0, 5e-4);
+}
+
 TEST(Outlines, ThreadsKernelsAndRepetitionDoNotMatter) {
-    SceneBuilder b = room();
+    SceneBuilder b = glassRoom();
+    b.scene().render.transparentShadows = true;
     b.scene().render.errorPercent = 0.5;
     const auto scene = b.compile();
     const Image one = render(scene, {.threads = 1}).beauty;

@@ -212,8 +212,11 @@ class ClassicTracer {
                     branch.straightFromCamera && way.straight,
                     seesLights};
         float chance = 1;
+        Rgb expected(0.0f);
         if (next.importance < state_.dim) {
             chance = next.importance / state_.dim;
+            if (state_.expected) expected = state_.expected->towards(way.wi);
+            sum_ += next.weight * expected;
             if (sampler_.block(sobol::mix(next.key) ^ sampleBlock(SampleUse::Bsdf, 0, 0)).x >=
                 chance)
                 return;
@@ -225,11 +228,15 @@ class ClassicTracer {
             next.vertex = r.leave(branch.vertex, eventOf(point, way), way.weight,
                                   static_cast<double>(chance));
         });
-        const float before = luminance(sum_);
+        if (chance == 1) return trace(next);
+        const Rgb before = sum_, weight = next.weight;
         trace(next);
+        const Rgb foreseen = weight * expected, more = sum_ - before - foreseen;
+        sum_ -= foreseen;
+        if (state_.expected) state_.expected->learn(way.wi, weight, more);
         // The variance of what comes with this chance, as told by one that has come.
-        if (const float come = luminance(sum_) - before; chance < 1)
-            state_.doubt += come * come * (1 - chance);
+        const float light = luminance(more);
+        state_.doubt += light * light * (1 - chance);
     }
 
     static Branches perfectBranches(const CompiledMaterial& material, const SurfacePoint& point) {

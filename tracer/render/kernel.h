@@ -10,6 +10,7 @@
 
 #include "tracer/compile/render_scene.h"
 #include "tracer/math/sobol.h"
+#include "tracer/render/expected_light.h"
 #include "tracer/render/pixel_filter.h"
 #include "tracer/render/render.h"
 #include "tracer/scene/light_groups.h"
@@ -50,6 +51,8 @@ struct KernelState {
         0;  ///< set of the materials whose values the sample rests on, see materialBit()
     float dim = 0.01f;  ///< classic's branches that are dimmer at the camera go on by chance: a
                         ///< tree of glass would grow without end
+    ExpectedLight* expected = nullptr;  ///< if not null: makes these less noisy, but a sample may
+                                        ///< be negative then, and its groups do not sum up to it
     std::uint32_t trail = 0;  ///< of the sample: a hash of what its rays met. Between samples of
                               ///< one trail the light changes smoothly; classic alone tells it
     float doubt = 0;  ///< of the sample: variance of its luminance by chance (roulette); infinite

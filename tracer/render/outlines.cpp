@@ -18,17 +18,14 @@ constexpr int kMostProbes = 64;
 /// error is the mean of those of an edge within the pixel, evenly in [-a, 1/2 - a], and of one
 /// within the other, a^2: least at a = 1/8.
 constexpr float kEdgeShare = 0.125f, kEdgeError = 0.16f;
-/// Branches of glass that are there by chance make noise. So dim they may be over the error that is
-/// wanted: best of 0.003 to 0.03 at 4 to 0.25 % in tests/bench/scenes/classic/glass.json.
-constexpr double kDimShare = 0.6;
 /// What the curvature told by neighbours is wrong by.
 constexpr float kCurvatureError = 0.5f;
 
 }  // namespace
 
 struct alignas(64) Outlines::Worker {
-    Worker(const RenderScene& scene, float dim, const CancelToken& cancel)
-        : state{.scene = scene, .cancel = cancel, .dim = dim} {}
+    Worker(const RenderScene& scene, const CancelToken& cancel)
+        : state{.scene = scene, .cancel = cancel} {}
 
     /// A probe on a side of a pixel, which two pixels ask for.
     struct Shared {
@@ -46,10 +43,10 @@ struct alignas(64) Outlines::Worker {
 
 /// One call of look() or refine().
 struct Outlines::Run {
-    Run(const RenderScene& scene, float dim, WorkerPool& threads, const CancelToken& token)
+    Run(const RenderScene& scene, WorkerPool& threads, const CancelToken& token)
         : pool(threads),
           cancel(token),
-          workers(static_cast<std::size_t>(threads.threads()), Worker(scene, dim, token)) {}
+          workers(static_cast<std::size_t>(threads.threads()), Worker(scene, token)) {}
 
     void addTo(RenderCounts& counts) const {
         for (const Worker& worker : workers) counts.add(worker.state.rays, worker.state.work);
@@ -73,15 +70,20 @@ Outlines::Outlines(const RenderScene& scene, Features wanted, const PixelRect& r
       trace_(chooseKernel(scene, wanted).trace),
       culls_(!has(wanted, Feature::NoSkips)),
       wantedError_(error),
-      dim_(std::clamp(static_cast<float>(kDimShare * error), 0.003f, KernelState{scene}.dim)),
       rect_(rect),
-      pixels_(static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height)) {}
+      tiles_{rect.x / Film::kTile, rect.y / Film::kTile, 0, 0},
+      pixels_(static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height)) {
+    tiles_.width = (rect.x + rect.width + Film::kTile - 1) / Film::kTile - tiles_.x;
+    tiles_.height = (rect.y + rect.height + Film::kTile - 1) / Film::kTile - tiles_.y;
+    expected_.resize(static_cast<std::size_t>(tiles_.width) *
+                     static_cast<std::size_t>(tiles_.height));
+}
 
 bool Outlines::look(Film& film, WorkerPool& pool, const CancelToken& cancel, RenderCounts& counts) {
-    Run run(scene_, dim_, pool, cancel);
+    Run run(scene_, pool, cancel);
     const bool complete =
-        eachWanted(run, [&](Worker& worker, int x, int y) { lookAt(worker, x, y); }) &&
-        eachWanted(run, [&](Worker&, int x, int y) { putMiddle(film, x, y); });
+        eachWanted(run, true, [&](Worker& worker, int x, int y) { lookAt(worker, x, y); }) &&
+        eachWanted(run, false, [&](Worker&, int x, int y) { putMiddle(film, x, y); });
     run.addTo(counts);
     sumUp();
     return complete;
@@ -89,42 +91,42 @@ bool Outlines::look(Film& film, WorkerPool& pool, const CancelToken& cancel, Ren
 
 bool Outlines::refine(Film& film, WorkerPool& pool, const CancelToken& cancel,
                       RenderCounts& counts) {
-    Run run(scene_, dim_, pool, cancel);
+    Run run(scene_, pool, cancel);
     const double tolerance = this->tolerance();
     for (Pixel& pixel : pixels_)
         pixel.isWanted = !pixel.isHard && (pixel.error > tolerance || pixel.middle.doubt < 0);
     ++calls_;
     bool complete = true;
     do
-        complete = eachWanted(
-            run, [&](Worker& worker, int x, int y) { refine(film, worker, x, y, tolerance); });
+        complete = eachWanted(run, true, [&](Worker& worker, int x, int y) {
+            refine(film, worker, x, y, tolerance);
+        });
     while (complete && follow(run));
     run.addTo(counts);
     sumUp();
     return complete;
 }
 
-/// Visits the pixels that are wanted, each tile of the film by one worker.
+/// Visits the pixels that are wanted, each tile of the film by one worker, which is made ready for
+/// it if it `traces`.
 template <class Visit>
-bool Outlines::eachWanted(Run& run, const Visit& visit) {
-    const int left = rect_.x / Film::kTile, top = rect_.y / Film::kTile;
-    const int columns = (rect_.x + rect_.width + Film::kTile - 1) / Film::kTile - left,
-              rows = (rect_.y + rect_.height + Film::kTile - 1) / Film::kTile - top;
+bool Outlines::eachWanted(Run& run, bool traces, const Visit& visit) {
     std::atomic<bool> complete{true};  // Only a flag, read when all workers have ended: relaxed.
-    run.pool.run(columns * rows, [&](int index, int piece) {
+    run.pool.run(tiles_.width * tiles_.height, [&](int index, int piece) {
         Worker& worker = run.workers[static_cast<std::size_t>(index)];
-        const int column = left + piece % columns, row = top + piece / columns;
+        const int column = tiles_.x + piece % tiles_.width, row = tiles_.y + piece / tiles_.width;
         const int x0 = std::max(rect_.x, column * Film::kTile),
                   x1 = std::min(rect_.x + rect_.width, (column + 1) * Film::kTile);
         const int y0 = std::max(rect_.y, row * Film::kTile),
                   y1 = std::min(rect_.y + rect_.height, (row + 1) * Film::kTile);
-        bool isReady = false;
+        bool isReady = !traces;
         for (int y = y0; y < y1; ++y)
             for (int x = x0; x < x1; ++x) {
                 if (!at(x, y).isWanted) continue;
                 if (run.cancel.cancelled()) return complete.store(false, std::memory_order_relaxed);
                 if (!std::exchange(isReady, true)) {
                     worker.shared.clear();
+                    worker.state.expected = &expected_[static_cast<std::size_t>(piece)];
                     worker.state.seen =
                         culls_ ? shapesSeen(scene_, x0, y0, x1, y1, worker.seen) : nullptr;
                 }
@@ -160,7 +162,7 @@ void Outlines::putMiddle(Film& film, int x, int y) {
     const Pixel* const here = &pixel;
     const Probe& own = pixel.middle;
     pixel.step = 0;
-    pixel.isSmooth = true;
+    bool isSmooth = true;
     const std::ptrdiff_t left = x > rect_.x ? -1 : 0, right = x + 1 < rect_.x + rect_.width ? 1 : 0;
     const std::ptrdiff_t above = y > rect_.y ? -rect_.width : 0,
                          below = y + 1 < rect_.y + rect_.height ? rect_.width : 0;
@@ -168,16 +170,15 @@ void Outlines::putMiddle(Film& film, int x, int y) {
         const Probe& other = here[place].middle;
         if (other.trail == own.trail && !(other.doubt < 0)) return;
         pixel.step = std::max(pixel.step, lightOf(other.value - own.value));
-        pixel.isSmooth = false;
+        isSmooth = false;
     };
     for (const std::ptrdiff_t row : {above, std::ptrdiff_t{0}, below})
         compare(row + left), compare(row), compare(row + right);
     const Rgb beyond = beyondMiddle(x, y);
-    const float unsure =
-                    pixel.isSmooth ? kCurvatureError * lightOf(beyond) : kEdgeError * pixel.step,
+    const float unsure = isSmooth ? kCurvatureError * lightOf(beyond) : kEdgeError * pixel.step,
                 doubt = std::max(own.doubt, 0.0f);
     pixel.error = std::sqrt(unsure * unsure + doubt * doubt);
-    film.put(x, y, own.value + beyond, pixel.error, 1, pixel.materials);
+    film.put(x, y, glm::max(own.value + beyond, 0.0f), pixel.error, 1, pixel.materials);
 }
 
 /// What the mean over the pixel is more than the middle, as far as neighbours tell: a 24th of the
@@ -270,7 +271,8 @@ void Outlines::refine(Film& film, Worker& worker, int x, int y, double tolerance
     pixel.isHard = !told || (isDone() && mean.error > tolerance);
     if (pixel.isHard) return film.clear({x, y, 1, 1});
     pixel.error = static_cast<float>(mean.error);
-    film.put(x, y, toFloat(mean.value), pixel.error, worker.probes, worker.materials);
+    film.put(x, y, glm::max(toFloat(mean.value), 0.0f), pixel.error, worker.probes,
+             worker.materials);
     constexpr std::array<std::array<int, 2>, 4> kSides{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
     for (std::size_t i = 0; i < 4; ++i) {
         const OutlineMean::Crossed& crossed = mean.crossed[i];

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tracer/base/large_vector.h"
 #include "tracer/render/kernel.h"
 #include "tracer/render/outline_cell.h"
 #include "tracer/render/scheduler.h"
@@ -18,7 +19,7 @@ namespace glint {
 class Outlines {
   public:
     /// Most that it takes for a pixel.
-    static constexpr double kBytesAPixel = 56;
+    static constexpr double kBytesAPixel = 49;
 
     /// Classic, without a lens and without lights that have a size: the value of a ray rests on no
     /// random number, but for dim branches. And with the pixel itself as filter: others bend
@@ -54,7 +55,6 @@ class Outlines {
         std::int8_t split = 0;          ///< its square is to be split so often at least, because a
                                         ///< neighbour's outline enters it
         bool isEntered = false;         ///< by a neighbour's outline
-        bool isSmooth = false;          ///< no outline can be seen near it
         bool isWanted = true;           ///< by the next wave
         bool isHard = false;            ///< few rays do not tell it
     };
@@ -80,7 +80,7 @@ class Outlines {
                y < rect_.y + rect_.height;
     }
     template <class Visit>
-    bool eachWanted(Run& run, const Visit& visit);
+    bool eachWanted(Run& run, bool traces, const Visit& visit);
 
     [[nodiscard]] Probe probe(Worker& worker, int x, int y, const DVec2& u) const;
     [[nodiscard]] Probe sharedProbe(Worker& worker, int x, int y, const DVec2& u) const;
@@ -96,11 +96,12 @@ class Outlines {
     RayFunction trace_;
     bool culls_;
     double wantedError_;
-    float dim_;  ///< see KernelState
     PixelRect rect_;
+    PixelRect tiles_;  ///< that it touches, in tiles
     int calls_ = 0;
     double error_ = 0;  ///< see error()
-    std::vector<Pixel> pixels_;
+    LargeVector<Pixel> pixels_;
+    std::vector<ExpectedLight> expected_;  ///< by tile: known to it alone, whatever the threads
 };
 
 }  // namespace glint
