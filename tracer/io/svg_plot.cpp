@@ -89,8 +89,7 @@ class Drawing {
             x_.finish(kLeft, kWidth - kRight);
             y_.finish(kHeight - kBottom, kTop);
             axes();
-            for (std::size_t i = 0; i < plot_.curves.size(); ++i)
-                curve(plot_.curves[i], kColors[i % kColors.size()]);
+            eachCurve([this](const PlotCurve& curve, const char* color) { draw(curve, color); });
             legend();
         } else {
             write(kWidth / 2, kHeight / 2, "middle", "no noise to show", "");
@@ -127,7 +126,19 @@ class Drawing {
         write(18, y, "middle", plot_.yLabel, text("transform=\"rotate(-90 18 %.1f)\"", y));
     }
 
-    void curve(const PlotCurve& curve, const char* color) {
+    template <class Visit>
+    void eachCurve(const Visit& visit) const {
+        std::size_t colors = 0;  // So many are in use.
+        for (const PlotCurve& curve : plot_.curves) {
+            if (!curve.dashed || colors == 0) ++colors;
+            visit(curve, kColors[(colors - 1) % kColors.size()]);
+        }
+    }
+    static const char* dashesOf(const PlotCurve& curve) {
+        return curve.dashed ? " stroke-dasharray=\"5 3\"" : "";
+    }
+
+    void draw(const PlotCurve& curve, const char* color) {
         std::string path;
         for (const PlotPoint& p : curve.points) {
             const double x = x_.at(p.x), y = y_.at(p.y);
@@ -142,17 +153,18 @@ class Drawing {
             }
         }
         out_ += "<path d=\"" + path +
-                text("\" stroke=\"%s\" stroke-width=\"1.6\" fill=\"none\"/>\n", color);
+                text("\" stroke=\"%s\" stroke-width=\"1.6\" fill=\"none\"%s/>\n", color,
+                     dashesOf(curve));
     }
 
     void legend() {
         double y = kTop + 14;
-        for (std::size_t i = 0; i < plot_.curves.size(); ++i, y += 16) {
-            const char* color = kColors[i % kColors.size()];
-            out_ += text("<path d=\"M%.1f %.1fh16\" stroke=\"%s\" stroke-width=\"2.4\"/>\n",
-                         kWidth - kRight - 22, y - 4, color);
-            write(kWidth - kRight - 28, y, "end", plot_.curves[i].name, "");
-        }
+        eachCurve([&](const PlotCurve& curve, const char* color) {
+            out_ += text("<path d=\"M%.1f %.1fh21\" stroke=\"%s\" stroke-width=\"2.4\"%s/>\n",
+                         kWidth - kRight - 26, y - 4, color, dashesOf(curve));
+            write(kWidth - kRight - 32, y, "end", curve.name, "");
+            y += 16;
+        });
     }
 
     const LogPlot& plot_;

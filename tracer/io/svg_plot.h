@@ -14,6 +14,7 @@ struct PlotPoint {
 struct PlotCurve {
     std::string name;
     std::vector<PlotPoint> points;  ///< in the order of the line
+    bool dashed = false;            ///< and of the colour of the curve before
 };
 struct LogPlot {
     std::string title, xLabel, yLabel;

@@ -237,8 +237,9 @@ int compareWithPovray(const PeersOptions& options, const PeerScene& scene,
     std::fflush(stdout);
     std::vector<const Setting*> glint;
     for (const Setting& s : comparison.glint()) glint.push_back(&s);
-    figures.curves.push_back(curveOf(scene.name + ": POV-Ray", comparison.best()));
     figures.curves.push_back(curveOf(scene.name + ": Glint", glint));
+    figures.curves.push_back(curveOf(scene.name + ": POV-Ray", comparison.best()));
+    figures.curves.back().dashed = true;
     figures.names.push_back(scene.name);
     figures.wall.push_back(geometricMean(wall));
     figures.cpu.push_back(geometricMean(cpu));
