@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tests/support/scenes.h"
 #include "tracer/render/kernel.h"
@@ -21,6 +22,10 @@ TEST(ExpectedLight, LearnsByOctantWhatBranchesBring) {
     EXPECT_NEAR(expected.towards(up).y, 2, 1e-3);
     EXPECT_EQ(expected.towards(up).z, 0.0f) << "a weight of 0 tells nothing";
     EXPECT_EQ(expected.towards(down), Rgb(0.0f));
+    const float infinite = std::numeric_limits<float>::infinity();
+    expected.learn(up, weight, {infinite, std::nanf(""), 1});
+    EXPECT_NEAR(expected.towards(up).x, 3, 1e-3) << "what overflows tells nothing";
+    EXPECT_NEAR(expected.towards(up).y, 2, 1e-3);
 }
 
 /// Mean and variance of the light along one ray into a ball of glass.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "tracer/color/rgb.h"
 #include "tracer/math/types.h"
@@ -17,12 +18,13 @@ class ExpectedLight {
     [[nodiscard]] const Rgb& towards(const DVec3& direction) const {
         return radiance_[octant(direction)];
     }
-    /// A branch of this weight (of 0: nothing is told) brought so much more than weight times what
-    /// was expected.
+    /// A branch of this weight brought so much more than weight times what was expected. Channels
+    /// without weight tell nothing, nor do those that overflow.
     void learn(const DVec3& direction, const Rgb& weight, const Rgb& more) {
         Rgb& radiance = radiance_[octant(direction)];
         for (int c = 0; c < 3; ++c)
-            if (weight[c] > 0) radiance[c] += kNews * more[c] / weight[c];
+            if (const float news = kNews * more[c] / weight[c]; std::isfinite(news))
+                radiance[c] += news;
     }
 
   private:
