@@ -32,9 +32,9 @@ TEST(ExpectedLight, LearnsByOctantWhatBranchesBring) {
 struct Moments {
     double mean = 0, variance = 0;
 };
+constexpr int kSamples = 40'000;
 template <class Prepare>
 Moments momentsOf(const RenderScene& scene, const Prepare& prepare) {
-    constexpr int kSamples = 40'000;
     KernelState state{.scene = scene};
     state.dim = 0.3f;  // Nearly all branches go on by chance.
     const RayFunction trace = chooseKernel(scene).trace;
@@ -72,7 +72,7 @@ TEST(ExpectedLight, AnythingMayBeExpectedButWhatIsLearnedIsBest) {
                     wrong.learn({x, y, z}, Rgb(1.0f), Rgb(80.0f, 0.0f, 160.0f));
         state.expected = &wrong;
     });
-    const auto sigma = [](const Moments& m) { return std::sqrt(m.variance / 40'000); };
+    const auto sigma = [](const Moments& m) { return std::sqrt(m.variance / kSamples); };
     EXPECT_NEAR(better.mean, plain.mean, 4 * (sigma(better) + sigma(plain)));
     EXPECT_NEAR(worse.mean, plain.mean, 4 * (sigma(worse) + sigma(plain)));
     EXPECT_LT(better.variance, 0.5 * plain.variance);

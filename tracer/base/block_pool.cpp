@@ -27,8 +27,8 @@ std::byte* mapPages(std::size_t bytes) {
                                reinterpret_cast<std::uintptr_t>(start);
     if (before > 0) munmap(start, before);
     if (before < spare) munmap(start + before + bytes, spare - before);
-    // What the system answers changes the speed alone: a huge page comes in a tenth of the time
-    // that its many small ones take.
+    // What the system answers changes the speed alone: a huge page comes sooner than its many small
+    // ones.
     madvise(start + before, bytes, MADV_HUGEPAGE);
     return start + before;
 }
