@@ -160,6 +160,8 @@ class ShapeLists {
             blocks_);
     }
     [[nodiscard]] bool hasHierarchy() const { return !nodes_.empty(); }
+    /// Whether the hierarchy was built for other places of the shapes: see moved().
+    [[nodiscard]] bool hasMoved() const { return hasMoved_; }
     /// Whether some shape needs a 3 x 3 matrix.
     [[nodiscard]] bool hasMatrices() const { return !boxes_.empty() || !always_.empty(); }
 
@@ -255,6 +257,7 @@ class ShapeLists {
     double reach_ = 0, leastSize_ = kInfinity;
     std::uint32_t ballSlots_ = 0, boxSlots_ = 0;  ///< lengths of the two lists
     bool unfiltered_ = true;                      ///< so few shapes that all are decided
+    bool hasMoved_ = false;
 };
 
 /// The first hit of a ray on one given shape, by the same predicate as the lists.

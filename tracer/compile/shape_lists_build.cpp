@@ -126,6 +126,7 @@ std::optional<ShapeLists> ShapeLists::moved(const std::vector<ShapeInstance>& fr
         if (kind != kindOf(slotOf_[i])) return std::nullopt;
         out.replace(to[i], i);
         if (kind != Kind::Always) isNew[slotOf_[i] / kBlockSize] = true;
+        out.hasMoved_ = true;
     }
     return std::visit(
         [&]<Coordinates kCoordinates>(Blocks<kCoordinates>& blocks) -> std::optional<ShapeLists> {

@@ -248,6 +248,7 @@ PassResult LivingPicture::render(const PassTimes& times, const CancelToken& canc
     if (firstPassPending_ && picture_.spp == 0) picture_.stride = strideFor(times.first);
     const std::optional<SampleGoal> goal = nextGoal(times.full, cancel);
     if (!goal) return PassResult::Cancelled;
+    if (auto renewed = renewal_.finish(*picture_.scene)) picture_.scene = std::move(renewed);
     const RayCounts before = picture_.counts.rays;
     const auto start = Clock::now();
     const PassResult result =
@@ -268,6 +269,7 @@ void LivingPicture::passDone(const SampleGoal& goal) {
         return;
     }
     picture_.shownStride = 1;
+    renewal_.begin(*picture_.scene);
     picture_.film.settle(
         !wish_.region);  // Outside a region there may be pixels without samples still.
     picture_.goals = {};

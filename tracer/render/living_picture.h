@@ -5,6 +5,7 @@
 
 #include "tracer/compile/compiler.h"
 #include "tracer/render/backdrop.h"
+#include "tracer/render/list_renewal.h"
 #include "tracer/render/picture.h"
 
 namespace glint {
@@ -98,6 +99,7 @@ class LivingPicture {
     WorkerPool& pool_;
     FirstHits firstHits_;
     Scheduler scheduler_;
+    ListRenewal renewal_;
     AssetCache assets_;
     Wish wish_;
     Picture picture_;
