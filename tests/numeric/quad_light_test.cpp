@@ -31,8 +31,9 @@ TEST(QuadLight, WeighsTheQuadAsAGridOverItDoes) {
         const ShapeInstance quad = makeQuad({0.3, round % 2 ? 1.2 : 6.0, -0.4}, half,
                                             {360 * u(random), 360 * u(random), 360 * u(random)});
         const DVec3 from(0.0);
-        const QuadLight light(quad, from);
-        double sampled = 0, grid = 0;
+        const LampRectangle lamp(quad);
+        const QuadLight light(lamp, from);
+        double sampled = 0, grid = 0, solidAngle = 0, least = kInfinity, most = 0;
         constexpr int kSide = 300;
         for (int i = 0; i < kSide * kSide; ++i) {
             const DVec2 place((i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide);
@@ -43,6 +44,8 @@ TEST(QuadLight, WeighsTheQuadAsAGridOverItDoes) {
             ASSERT_NEAR(hit.y, 0, 1e-9);
             ASSERT_LE(std::max(std::abs(hit.x), std::abs(hit.z)), 1 + 1e-9);
             sampled += std::max(0.0, s.direction.y) / s.pdf / (kSide * kSide);
+            solidAngle += 1 / s.pdf / (kSide * kSide);
+            least = std::min(least, 1 / s.pdf), most = std::max(most, 1 / s.pdf);
 
             const DVec3 p = quad.center +
                             quad.worldFromLocal * DVec3(2 * place.x - 1, 0, 2 * place.y - 1) - from;
@@ -51,6 +54,8 @@ TEST(QuadLight, WeighsTheQuadAsAGridOverItDoes) {
             grid += std::max(0.0, p.y) * facing / (r2 * r2) * 4 * half.x * half.y / (kSide * kSide);
         }
         EXPECT_NEAR(sampled, grid, 2e-3 * grid + 1e-6) << "round " << round;
+        EXPECT_LE(most, 2.1 * solidAngle) << "round " << round;
+        EXPECT_GE(least, solidAngle / 2.1) << "round " << round;
     }
 }
 

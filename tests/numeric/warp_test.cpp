@@ -20,6 +20,34 @@ TEST(CosSinTurn, IsWithinItsBound) {
     EXPECT_LE(worst, 1e-13);
 }
 
+TEST(CosSinEighth, IsWithinItsBounds) {
+    double worst = 0, worstOfFloats = 0;
+    for (int i = -20000; i <= 20000; ++i) {
+        const auto x = static_cast<float>(kPi / 4 * i / 20000);
+        const DVec2 exact(std::cos(static_cast<double>(x)), std::sin(static_cast<double>(x)));
+        const auto far = [&](const DVec2& found) {
+            return std::max(std::abs(found.x - exact.x), std::abs(found.y - exact.y));
+        };
+        worst = std::max(worst, far(cosSinEighth(static_cast<double>(x))));
+        worstOfFloats = std::max(worstOfFloats, far(DVec2(cosSinEighth(x))));
+    }
+    EXPECT_LE(worst, 1e-13);
+    EXPECT_LE(worstOfFloats, 2e-7);
+}
+
+TEST(CosineHemisphere, DrawsUnitVectorsOverTheConcentricDisk) {
+    constexpr float kLast = 1 - 0x1p-24f;
+    for (const float x : {0.0f, 1e-7f, 0.2f, 0.5f, 0.500001f, 0.8f, kLast})
+        for (const float y : {0.0f, 3e-6f, 0.35f, 0.5f, 0.499999f, 0.9f, kLast}) {
+            const Vec3 w = cosineHemisphere({x, y});
+            const DVec2 disk = concentricDisk(DVec2(x, y));
+            EXPECT_NEAR(static_cast<double>(w.x), disk.x, 4e-7) << x << " " << y;
+            EXPECT_NEAR(static_cast<double>(w.y), disk.y, 4e-7) << x << " " << y;
+            EXPECT_NEAR(glm::length(DVec3(w)), 1, 4e-7) << x << " " << y;
+            EXPECT_GE(w.z, 0) << x << " " << y;
+        }
+}
+
 /// Mean of x^2 under the filter, by its sampler.
 double secondMoment(Filter filter) {
     constexpr int kSteps = 200000;

@@ -2,25 +2,20 @@
 
 #include <algorithm>
 
-#include "tracer/compile/quad_light.h"
-
 namespace glint {
 
 namespace {
 
-/// Of a lamp that is a ball. A dielectric's boundary is met by the media's rules.
-double lampRadius(const ShapeInstance& shape) { return shape.dielectric ? 0 : ballRadius(shape); }
-
 /// A ray that starts on the ball meets it again only on its way through. The density is that of
 /// sphereDirectionPdf() at the same place, whichever side of the surface rounding has put it on.
-LightSample sampleBall(const CompiledLight& light, const ShapeInstance& ball, double radius,
-                       const Ray& from, const DVec2& u) {
+LightSample sampleBall(const CompiledLight& light, const ShapeInstance& ball, const Ray& from,
+                       const DVec2& u) {
     const DVec3 toCenter = ball.center - from.origin;
-    const double r2 = radius * radius;
+    const double r2 = light.radius * light.radius;
     const bool onIt = from.fromShape == light.shape,
                inside = onIt || glm::dot(toCenter, toCenter) <= r2;
     if (inside && !light.twoSided) return {};
-    const DirectionSample s = sampleSphereDirection(toCenter, radius, u);
+    const DirectionSample s = sampleSphereDirection(toCenter, light.radius, u);
     const double along = glm::dot(toCenter, s.direction);
     const DVec3 across = toCenter - along * s.direction;
     const double half = std::sqrt(std::max(0.0, r2 - glm::dot(across, across)));
@@ -29,10 +24,9 @@ LightSample sampleBall(const CompiledLight& light, const ShapeInstance& ball, do
     return {s.direction, distance, light.emission, s.pdf, light.shape};
 }
 
-LightSample sampleRectangle(const CompiledLight& light, const ShapeInstance& shape, const Ray& from,
-                            const DVec2& u) {
+LightSample sampleRectangle(const CompiledLight& light, const Ray& from, const DVec2& u) {
     if (from.fromShape == light.shape) return {};
-    const QuadLight quad(shape, from.origin);
+    const QuadLight quad(*light.rectangle, from.origin);
     if (!light.twoSided && !quad.seenFromFront()) return {};
     const QuadLight::Sample s = quad.sample(u);
     if (!(s.pdf > 0)) return {};
@@ -109,10 +103,9 @@ LightBounds boundsOf(const CompiledLight& light, const CompiledEnvironment& envi
         return {shape.center, std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[2], m[2])),
                 emission * area, LightAim(normal, 0, 0)};
     }
-    const double ball = lampRadius(shape),
-                 reach =
-                     std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
-    return {shape.center, ball > 0 ? ball : reach, light.power / 4};
+    const double reach =
+        std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+    return {shape.center, light.radius > 0 ? light.radius : reach, light.power / 4};
 }
 
 }  // namespace
@@ -139,8 +132,14 @@ double ballRadius(const ShapeInstance& shape) {
 void LightTable::finish(const std::vector<ShapeInstance>& shapes) {
     std::vector<LightBounds> bounds;
     bounds.reserve(lights.size());
-    for (const CompiledLight& light : lights)
+    for (CompiledLight& light : lights) {
+        if (light.kind == LightKind::Area) {
+            const ShapeInstance& shape = shapes[light.shape];
+            light.radius = shape.dielectric ? 0 : ballRadius(shape);
+            if (isRectangle(shape)) light.rectangle.emplace(shape);
+        }
         bounds.push_back(boundsOf(light, environment, shapes));
+    }
     choice = LightChoice(std::move(bounds));
 }
 
@@ -159,9 +158,8 @@ LightSample sampleLight(const LightTable& lights, const std::vector<ShapeInstanc
         }
         case LightKind::Area: {
             const ShapeInstance& shape = shapes[light.shape];
-            if (const double radius = lampRadius(shape); radius > 0)
-                return sampleBall(light, shape, radius, from, u);
-            if (isRectangle(shape)) return sampleRectangle(light, shape, from, u);
+            if (light.radius > 0) return sampleBall(light, shape, from, u);
+            if (light.rectangle) return sampleRectangle(light, from, u);
             return sampleArea(light, shape, from, media, u);
         }
         case LightKind::Environment: {
@@ -207,9 +205,8 @@ double lightPdf(const LightTable& lights, const std::vector<ShapeInstance>& shap
             break;
     }
     const ShapeInstance& shape = shapes[light.shape];
-    if (const double radius = lampRadius(shape); radius > 0)
-        return sphereDirectionPdf(shape.center - from, radius);
-    if (isRectangle(shape)) return QuadLight(shape, from).pdf(wi);
+    if (light.radius > 0) return sphereDirectionPdf(shape.center - from, light.radius);
+    if (light.rectangle) return QuadLight(*light.rectangle, from).pdf(wi);
     const Viewpoint view(shape.localPoint(from), shape.worldFromLocal);
     const DVec3 d = glm::normalize(shape.localVector(wi));
     return std::visit([&](const auto& canonical) { return canonical.pdfDirection(view, d); },

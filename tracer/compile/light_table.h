@@ -3,11 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "tracer/color/rgb.h"
 #include "tracer/compile/light_choice.h"
-#include "tracer/compile/shape_lists.h"
+#include "tracer/compile/quad_light.h"
 #include "tracer/lights/environment_map.h"
 #include "tracer/scene/ids.h"
 
@@ -26,10 +27,13 @@ struct CompiledLight {
     float cosInner = 1, cosOuter = 1;  ///< Spot: full inside cosInner, none outside cosOuter
     double sin2Angle = 0;            ///< Sun: sin^2 of half the disc's angle; 0: a single direction
     std::uint32_t shape = kNoShape;  ///< Area
-    bool twoSided = false;           ///< Area
-    double power = 0;                ///< W up to a common factor
-    std::uint8_t group = 0;          ///< whose sum its light goes to, see scene/light_groups.h
-    LightId id;                      ///< of the scene's entry, if it is one
+    std::optional<LampRectangle> rectangle;  ///< Area: if it is one
+    double radius = 0;      ///< Area: of a ball that is no dielectric, whose boundary is met by the
+                            ///< media's rules; 0: anything else
+    bool twoSided = false;  ///< Area
+    double power = 0;       ///< W up to a common factor
+    std::uint8_t group = 0;  ///< whose sum its light goes to, see scene/light_groups.h
+    LightId id;              ///< of the scene's entry, if it is one
 
     /// Sun: the unit vector `towards` meets the disc.
     [[nodiscard]] bool discHolds(const DVec3& towards) const {
@@ -81,7 +85,8 @@ struct LightTable {
     std::vector<std::uint32_t>
         sunDiscs;  ///< indices of suns with a disc, which rays into the sky can hit
 
-    /// Makes `choice`. Call when `lights` is complete.
+    /// Makes `choice` and what of the lights' shapes sampling needs. Call when `lights` is
+    /// complete.
     void finish(const std::vector<ShapeInstance>& shapes);
 
     [[nodiscard]] bool empty() const { return lights.empty(); }
