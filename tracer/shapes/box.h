@@ -14,22 +14,17 @@ struct CanonicalBox {
     static constexpr bool closed = true, convex = true;
     bool operator==(const CanonicalBox&) const = default;
 
-    /// Slabs. A ray within a slab's bounding plane counts as inside that slab, so no 0 * infinity
-    /// arises.
+    /// Slabs.
     [[nodiscard]] Span span(const DVec3& o, const DVec3& d) const {
-        Span out{-kInfinity, kInfinity};
-        for (int axis = 0; axis < 3; ++axis) {
-            if (d[axis] == 0) {
-                if (std::abs(o[axis]) > 1) return {};
-                continue;
-            }
-            const bool up = d[axis] > 0;
-            const double enter = ((up ? -1.0 : 1.0) - o[axis]) / d[axis],
-                         leave = ((up ? 1.0 : -1.0) - o[axis]) / d[axis];
-            if (enter > out.t0) out.t0 = enter, out.face0 = 2 * axis + (up ? 0 : 1);
-            if (leave < out.t1) out.t1 = leave, out.face1 = 2 * axis + (up ? 1 : 0);
-        }
-        return out;
+        if (d.x == 0 || d.y == 0 || d.z == 0) return spanAlongFaces(o, d);
+        const DVec3 sign(std::copysign(1.0, d.x), std::copysign(1.0, d.y), std::copysign(1.0, d.z));
+        const DVec3 enter = (-sign - o) / d, leave = (sign - o) / d;
+        const double t0 = std::max(std::max(enter.x, enter.y), enter.z),
+                     t1 = std::min(std::min(leave.x, leave.y), leave.z);
+        // No branches: which face it is, the processor cannot guess.
+        const int axis0 = firstOf(enter.x == t0, enter.y == t0),
+                  axis1 = firstOf(leave.x == t1, leave.y == t1);
+        return {t0, t1, 2 * axis0 + (d[axis0] < 0), 2 * axis1 + (d[axis1] > 0)};
     }
     [[nodiscard]] Crossing first(const DVec3& o, const DVec3& d, Start start) const {
         return firstCrossing(*this, o, d, start);
@@ -43,14 +38,17 @@ struct CanonicalBox {
         return 2 * axis + (p[axis] > 0 ? 1 : 0);
     }
     [[nodiscard]] DVec3 project(const DVec3& p, int face) const {
-        DVec3 q = glm::clamp(p, DVec3(-1.0), DVec3(1.0));
-        q[face / 2] = face % 2 ? 1.0 : -1.0;
-        return q;
+        const DVec3 n = normal(p, face);
+        const auto onFace = [](double x, double side) {
+            return side != 0 ? side : std::clamp(x, -1.0, 1.0);
+        };
+        return {onFace(p.x, n.x), onFace(p.y, n.y), onFace(p.z, n.z)};
     }
     [[nodiscard]] DVec3 normal(const DVec3&, int face) const {
-        DVec3 n(0.0);
-        n[face / 2] = face % 2 ? 1.0 : -1.0;
-        return n;
+        static constexpr double kNormals[6][3] = {{-1, 0, 0}, {1, 0, 0},  {0, -1, 0},
+                                                  {0, 1, 0},  {0, 0, -1}, {0, 0, 1}};
+        const auto& n = kNormals[face];
+        return {n[0], n[1], n[2]};
     }
     [[nodiscard]] DMat3 normalSlope(const DVec3&, int) const { return DMat3(0.0); }
     /// Each face has the whole square: u and v along the two axes that follow the face's own, in
@@ -97,6 +95,27 @@ struct CanonicalBox {
     }
 
   private:
+    /// 0, 1 or 2: what is first true of two things and anything else.
+    static int firstOf(bool a, bool b) { return static_cast<int>(!a) + static_cast<int>(!a & !b); }
+
+    /// span() of a ray that is parallel to some faces. Within such a slab's bounding plane it
+    /// counts as inside that slab, so no 0 * infinity arises.
+    [[nodiscard, gnu::noinline]] Span spanAlongFaces(const DVec3& o, const DVec3& d) const {
+        Span out{-kInfinity, kInfinity};
+        for (int axis = 0; axis < 3; ++axis) {
+            if (d[axis] == 0) {
+                if (std::abs(o[axis]) > 1) return {};
+                continue;
+            }
+            const bool up = d[axis] > 0;
+            const double enter = ((up ? -1.0 : 1.0) - o[axis]) / d[axis],
+                         leave = ((up ? 1.0 : -1.0) - o[axis]) / d[axis];
+            if (enter > out.t0) out.t0 = enter, out.face0 = 2 * axis + (up ? 0 : 1);
+            if (leave < out.t1) out.t1 = leave, out.face1 = 2 * axis + (up ? 1 : 0);
+        }
+        return out;
+    }
+
     /// The at most three faces that a point outside can see.
     struct Visible {
         explicit Visible(const Viewpoint& view) : sides(view) {
