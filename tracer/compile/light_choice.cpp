@@ -112,14 +112,21 @@ LightChoice::LightChoice(std::vector<LightBounds> lights) : lights_(std::move(li
 template <class Weight>
 LightChoice::Chosen LightChoice::pick(std::uint32_t begin, std::uint32_t end, double& u,
                                       const Weight& weight) {
+    constexpr std::uint32_t kKept = 64;
+    double kept[kKept];
+    const bool keeps = end - begin <= kKept;
     double sum = 0;
-    for (std::uint32_t i = begin; i < end; ++i) sum += weight(i);
+    for (std::uint32_t i = begin; i < end; ++i) {
+        const double w = weight(i);
+        if (keeps) kept[i - begin] = w;
+        sum += w;
+    }
     if (!(sum > 0)) return {begin, 0};
     double left = u * sum;
     std::uint32_t last = begin;
     double lastWeight = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
-        const double w = weight(i);
+        const double w = keeps ? kept[i - begin] : weight(i);
         if (!(w > 0)) continue;
         last = i, lastWeight = w;
         if (left < w) break;
